@@ -1,0 +1,39 @@
+#pragma once
+/// What a render is asked to do. Plain data; every default is the command line's.
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "tyndall/layer.hpp"
+
+namespace tyndall {
+
+enum class Method {
+    vrl,   ///< virtual ray lights for media_to_media and media_to_surface, unbiased in every layer
+    path,  ///< the unbiased host path tracer for every layer
+};
+enum class LightSegments { all, first };  ///< first: only what leaves the emitter, before any scattering
+enum class SegmentLength { long_, short_ };  ///< a VRL ends at the next surface, or at its sampled collision
+
+struct Crop {
+    int x = 0, y = 0, width = 0, height = 0;
+};
+
+struct RenderSettings {
+    Method method = Method::vrl;
+    LayerSet layers = LayerSet::all();
+    int passes = 0;                    ///< stop after so many; 0: no limit (the command line's default is 16 unless a time is given)
+    double seconds = 0;                ///< stop when the next pass would end later; 0: no limit
+    std::uint32_t lights = 0;          ///< virtual lights per pass, aimed at; 0: chosen by fixed rule from the image size and `seconds`
+    std::uint64_t seed = 1;
+    int threads = 0;                   ///< host threads; 0: all cores
+    std::optional<int> max_depth;      ///< instead of the scene's; -1 no limit; D keeps paths with at most D - 1 scattering vertices
+    LightSegments light_segments = LightSegments::all;
+    SegmentLength segment_length = SegmentLength::long_;
+    std::string device;                ///< index, substring of the name, or platform:device; empty: the default device
+    int lanes = 0;                     ///< 1, 4, 8, 16; 0: chosen by fixed rule from the device
+    std::uint32_t tile_pairs = 0;      ///< pairs per tile; 0: default. Never changes a byte
+    int samples_per_pair = 1;
+};
+
+}  // namespace tyndall

@@ -1,0 +1,137 @@
+#pragma once
+/// A validated scene: plain data. What the loader returns and everything else reads. Nothing here knows XML, Embree or OpenCL.
+///
+/// Render space: `load_scene` translates the scene so that the centre of its bounding box is the origin and scales it by a power of two so that
+/// the box's half diagonal lies in (1/2, 1]; extinctions, point and spot intensities follow (`scene/render_space.hpp`). All lengths below are in render
+/// space; `Scene::unit` gives the scene file's units back. Hence every epsilon of the tracing code is relative to 1.
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scene/vector.hpp"
+
+namespace tyndall {
+
+/// Where in a scene file something was said; line and column count from 1, line 0 means "nowhere in a file" (built in memory or a default).
+struct SourceLocation {
+    std::string file;
+    int line = 0, column = 0;
+};
+
+/// "file:line:column" (or "scene built in memory").
+std::string to_string(const SourceLocation& where);
+
+struct PhaseFunction {
+    enum class Type { isotropic, henyey_greenstein };
+    Type type = Type::isotropic;
+    double g = 0;  ///< mean cosine, in (-1, 1); 0 for isotropic
+};
+
+/// A homogeneous participating medium; coefficients per unit of render-space length, scale already applied.
+struct Medium {
+    std::string name;
+    Rgb sigma_t{0};  ///< extinction, >= 0
+    Rgb albedo{0};   ///< in [0, 1]
+    PhaseFunction phase;
+    SourceLocation where;
+    Rgb sigma_s() const { return albedo * sigma_t; }
+};
+
+inline constexpr int vacuum = -1;  ///< medium index of empty space
+inline constexpr int none = -1;    ///< "no such thing" for every other index
+
+struct Bsdf {
+    enum class Type { null, diffuse, dielectric, conductor };
+    std::string name;
+    Type type = Type::diffuse;
+    Rgb reflectance{.5};             ///< diffuse; specular_reflectance of dielectric and conductor
+    Rgb specular_transmittance{1};   ///< dielectric
+    double eta = 1.5046;             ///< dielectric: interior over exterior index of refraction
+    Rgb conductor_eta{0}, conductor_k{1};
+    bool two_sided = false;          ///< the front's behaviour on the back too, or `back`
+    int back = none;                 ///< index of another Bsdf for the back of a `twosided` with two children
+    SourceLocation where;
+};
+
+/// Triangles in render space. Normals are shading normals per vertex, or empty.
+struct Mesh {
+    std::vector<Vec3> vertices;
+    std::vector<Vec3> normals;
+    std::vector<Vec2> uvs;
+    std::vector<glm::uvec3> triangles;
+    bool closed = false;  ///< every edge is shared by exactly two triangles, oppositely directed
+    bool convex = false;  ///< closed, and every vertex lies behind every triangle's plane
+};
+
+struct Shape {
+    enum class Type { mesh, sphere, disk, cylinder };  ///< rectangle, cube, obj and ply become meshes
+    std::string name;                 ///< id, or the element's type
+    Type type = Type::mesh;
+    Mesh mesh;                        ///< for Type::mesh
+    Mat4 to_world{1};                 ///< sphere: unit sphere; disk: unit disk in xy facing +z; cylinder: radius 1 around z from 0 to 1. Already applied to meshes.
+    bool flip_normals = false;
+    int bsdf = 0;                     ///< index into Scene::bsdfs
+    int emitter = none;               ///< index into Scene::emitters, of an area emitter
+    bool medium_boundary = false;     ///< has an interior or exterior: crossing it sets the medium by the side of the outward normal
+    int interior = vacuum, exterior = vacuum;
+    SourceLocation where;
+};
+
+struct Emitter {
+    enum class Type { point, spot, area, directional, constant };
+    std::string name;
+    Type type = Type::point;
+    Rgb value{1};                     ///< intensity (point, spot; W/sr), radiance (area, constant; W/m2/sr), irradiance (directional; W/m2)
+    Vec3 position{0};                 ///< point, spot
+    Vec3 direction{0, 0, 1};          ///< spot: axis; directional: direction of travel; unit length
+    double cutoff = .349, beam = .262;  ///< spot: half angles in radians; falloff linear in the angle between them
+    int shape = none;                 ///< area: the shape that glows (on its normal's side)
+    int medium = vacuum;              ///< the medium at the emitter's surface or position, from its ref
+    SourceLocation where;
+};
+
+struct Filter {
+    enum class Type { box, gaussian };
+    Type type = Type::gaussian;
+    double stddev = .5;               ///< gaussian, in pixels; truncated at 4 stddev
+};
+
+struct Camera {
+    Mat4 to_world{1};                 ///< camera looks along local +z, image x to the right is local -x, y up is local +y (Mitsuba); rigid in render space
+    double fov_x = .9;                ///< full horizontal angle of the uncropped film, radians
+    double near_clip = .01, far_clip = 1e4;  ///< render-space distances along the viewing axis
+    double principal_x = 0, principal_y = 0; ///< principal_point_offset, in fractions of the film
+    int width = 768, height = 576;    ///< uncropped film, pixels
+    int crop_x = 0, crop_y = 0, crop_width = 768, crop_height = 576;
+    Filter filter;
+    int medium = vacuum;              ///< the medium that the camera is in, from its ref
+    SourceLocation where;
+};
+
+struct Scene {
+    std::string file;
+    std::uint64_t hash = 0;           ///< of the scene file's bytes, of every file that it names, and of the -D definitions
+    std::vector<Medium> media;
+    std::vector<Bsdf> bsdfs;
+    std::vector<Shape> shapes;
+    std::vector<Emitter> emitters;
+    Camera camera;
+    int max_depth = -1;               ///< of the scene's integrator: paths have at most max_depth - 1 scattering vertices, null crossings not counted; -1: no limit
+    std::string integrator;           ///< type named by the scene ("" if none): reported, ours to choose
+    Vec3 centre{0};                   ///< scene-file position of render space's origin
+    double unit = 1;                  ///< scene-file length of one render-space unit (a power of two)
+    std::vector<std::string> warnings;  ///< each with file:line:column and what to do
+};
+
+/// Axis-aligned bounds of all shapes, camera and positional emitters in render space.
+struct Bounds {
+    Vec3 low{1e300}, high{-1e300};
+    void grow(const Vec3& p) { low = glm::min(low, p), high = glm::max(high, p); }
+    bool empty() const { return low.x > high.x; }
+    Vec3 centre() const { return .5 * (low + high); }
+    double radius() const { return .5 * glm::length(high - low); }
+};
+Bounds bounds_of(const Scene& scene);
+Bounds bounds_of(const Shape& shape);
+
+}  // namespace tyndall
