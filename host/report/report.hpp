@@ -1,0 +1,45 @@
+#pragma once
+/// What a render did: counts, timings, effects. Plain data, filled by the pipeline, written as JSON (`to_json`) and as a table for people.
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tyndall/layer.hpp"
+
+namespace tyndall {
+
+struct StageTime {
+    std::string stage;         ///< trace_lights, trace_eyes, trace_paths, sample_pairs, shadow_segments, accumulate_pairs, transfer, film, write
+    double seconds = 0;        ///< wall clock
+    std::uint64_t count = 0;   ///< of what the stage works on: lights, segments, pairs, ...
+};
+
+struct LayerReport {
+    std::string layer, technique;  ///< technique: "virtual ray lights", "path tracing", "equi-angular", "next-event estimation", "skipped"
+    bool skipped = false;
+    std::string why;               ///< for a skipped layer: what the scene lacks, or that it was turned off
+    bool unbiased = true;
+};
+
+struct NumericsLedger {
+    std::uint64_t not_finite_pairs = 0, unsafe_shadow_segments = 0, floored_pairs = 0, runaway_walks = 0;
+    std::vector<std::string> first_cases;  ///< a few, with pixel and light, for the ones above
+};
+
+struct Report {
+    std::string scene, method, device, driver, build_options;
+    std::uint64_t scene_hash = 0, seed = 0;
+    int width = 0, height = 0, passes = 0, threads = 0, lanes = 0, max_depth = -1;
+    std::uint64_t light_paths = 0, virtual_lights = 0, eye_segments = 0, eye_points = 0, pairs = 0, shadow_segments = 0, launches = 0;
+    double seconds = 0, largest_launch_seconds = 0, pass_seconds = 0;
+    double error = 0;                    ///< estimated sqrt(relMSE) of the image (host/film/error_estimate.hpp); negative: unknown (one pass)
+    std::string stopped_by;              ///< "passes", "time", "interrupt"
+    std::vector<std::pair<std::string, bool>> effects;  ///< feature name -> found in this scene
+    std::vector<LayerReport> layers;
+    std::vector<StageTime> stages;
+    std::vector<std::string> warnings;
+    NumericsLedger ledger;
+};
+
+}  // namespace tyndall
