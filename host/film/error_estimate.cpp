@@ -1,0 +1,61 @@
+#include "film/error_estimate.hpp"
+
+#include <cassert>
+#include <cmath>
+
+namespace tyndall {
+namespace {
+
+/// Share of the mean of the reference below which errors count as absolute, so that dark pixels do not rule the measure.
+constexpr double dark_share = .05;
+
+double epsilon_of(const Rgb& sum_of_reference, std::size_t pixels)
+{
+    const double mean = (sum_of_reference.x + sum_of_reference.y + sum_of_reference.z) / (3. * static_cast<double>(pixels));
+    return dark_share * mean * (dark_share * mean);
+}
+
+/// One pixel's terms; 0 / 0 (nothing expected, nothing there) is 0.
+double term(const Rgb& squared_error, const Rgb& reference, double epsilon)
+{
+    double sum = 0;
+    for (int c = 0; c < 3; ++c)
+        if (squared_error[c] != 0) sum += squared_error[c] / (reference[c] * reference[c] + epsilon);
+    return sum;
+}
+
+/// `squared_error(i)`, `reference(i)`: the two images, pixel by pixel.
+template <class SquaredError, class Reference>
+double mean_of_terms(std::size_t pixels, SquaredError&& squared_error, Reference&& reference)
+{
+    Rgb sum_of_reference(0);
+    for (std::size_t i = 0; i < pixels; ++i) sum_of_reference += reference(i);
+    const double epsilon = epsilon_of(sum_of_reference, pixels);
+    double sum = 0;
+    for (std::size_t i = 0; i < pixels; ++i) sum += term(squared_error(i), reference(i), epsilon);
+    return sum / (3. * static_cast<double>(pixels));
+}
+
+}  // namespace
+
+double relative_mse(std::span<const Rgb> image, std::span<const Rgb> reference)
+{
+    assert(image.size() == reference.size() && !image.empty());
+    const auto squared_error = [&](std::size_t i) { return (image[i] - reference[i]) * (image[i] - reference[i]); };
+    return mean_of_terms(image.size(), squared_error, [&](std::size_t i) { return reference[i]; });
+}
+
+double expected_relative_mse(std::span<const Rgb> image, std::span<const Rgb> variance_of_mean)
+{
+    assert(image.size() == variance_of_mean.size() && !image.empty());
+    return mean_of_terms(image.size(), [&](std::size_t i) { return variance_of_mean[i]; }, [&](std::size_t i) { return image[i]; });
+}
+
+double estimated_error(const Film& film)
+{
+    if (film.passes() < 2) return -1;
+    const auto variance = [&](std::size_t i) { return film.variance_of_mean(i); };
+    return std::sqrt(mean_of_terms(film.pixels(), variance, [&](std::size_t i) { return film.beauty(i); }));
+}
+
+}  // namespace tyndall

@@ -1,0 +1,24 @@
+#pragma once
+/// The error of an image, defined once: bench, report, progress, documentation and compare use these functions.
+///
+///   relMSE = mean over pixels and channels of (x - ref)^2 / (ref^2 + e),   e = (.05 mean of ref)^2
+///
+/// and "the error" is its square root: .01 reads as one percent. Where there is no reference, the expectation of (x - ref)^2 is the variance
+/// of the mean and the image's own values stand for ref. This holds however the noise is correlated between pixels.
+#include <span>
+
+#include "film/film.hpp"
+
+namespace tyndall {
+
+/// relMSE of `image` against `reference` (same size, not empty). Two black images have error 0; light where the whole reference is black
+/// gives infinity.
+double relative_mse(std::span<const Rgb> image, std::span<const Rgb> reference);
+
+/// Expected relMSE of an image whose pixels have these variances, with its own values for the reference.
+double expected_relative_mse(std::span<const Rgb> image, std::span<const Rgb> variance_of_mean);
+
+/// sqrt(expected relMSE) of the film's beauty; negative below two passes: unknown.
+double estimated_error(const Film& film);
+
+}  // namespace tyndall
