@@ -1,6 +1,7 @@
 #pragma once
 /// What a render did: counts, timings, effects. Plain data, filled by the pipeline, written as JSON (`to_json`) and as a table for people.
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,7 @@ struct LayerReport {
 struct NumericsLedger {
     std::uint64_t not_finite_pairs = 0, unsafe_shadow_segments = 0, floored_pairs = 0, runaway_walks = 0;
     std::vector<std::string> first_cases;  ///< a few, with pixel and light, for the ones above
+    std::uint64_t not_finite_pixels = 0;   ///< per pass and layer, from the film; they count as 0
 };
 
 struct Report {
@@ -40,6 +42,9 @@ struct Report {
     std::vector<StageTime> stages;
     std::vector<std::string> warnings;
     NumericsLedger ledger;
+    std::string version;                 ///< of Tyndall
+    std::optional<double> exposure;      ///< of the picture, in stops; none: no picture was written
+    std::vector<std::string> outputs;    ///< files written
 };
 
 }  // namespace tyndall

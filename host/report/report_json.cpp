@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "report/report_output.hpp"
+
+namespace tyndall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json rate(std::uint64_t count, double seconds) { return seconds > 0 ? number(static_cast<double>(count) / seconds) : Json(nullptr); }
+
+Json counts_of(const Report& report)
+{
+    return {{"light_paths", report.light_paths}, {"virtual_lights", report.virtual_lights}, {"eye_segments", report.eye_segments},
+            {"eye_points", report.eye_points},   {"pairs", report.pairs},                   {"shadow_segments", report.shadow_segments},
+            {"launches", report.launches}};
+}
+
+Json timings_of(const Report& report)
+{
+    return {{"seconds", number(report.seconds)},
+            {"pass_seconds", number(report.pass_seconds)},
+            {"largest_launch_seconds", number(report.largest_launch_seconds)},
+            {"pairs_per_second", rate(report.pairs, report.seconds)},
+            {"shadow_segments_per_second", rate(report.shadow_segments, report.seconds)}};
+}
+
+Json stages_of(const Report& report)
+{
+    Json stages = Json::array();
+    for (const auto& stage : report.stages)
+        stages.push_back({{"stage", stage.stage}, {"seconds", number(stage.seconds)}, {"count", stage.count}, {"per_second", rate(stage.count, stage.seconds)}});
+    return stages;
+}
+
+Json layers_of(const Report& report)
+{
+    Json layers = Json::array();
+    for (const auto& layer : report.layers)
+        layers.push_back({{"layer", layer.layer}, {"technique", layer.technique}, {"skipped", layer.skipped}, {"why", layer.why}, {"unbiased", layer.unbiased}});
+    return layers;
+}
+
+Json effects_of(const Report& report)
+{
+    Json effects = Json::object();
+    for (const auto& [effect, found] : report.effects) effects[effect] = found;
+    return effects;
+}
+
+Json numerics_of(const NumericsLedger& ledger)
+{
+    return {{"not_finite_pixels", ledger.not_finite_pixels}, {"not_finite_pairs", ledger.not_finite_pairs},
+            {"unsafe_shadow_segments", ledger.unsafe_shadow_segments}, {"floored_pairs", ledger.floored_pairs},
+            {"runaway_walks", ledger.runaway_walks}, {"first_cases", ledger.first_cases}};
+}
+
+Json device_of(const Report& report)
+{
+    if (report.device.empty()) return nullptr;
+    return {{"name", report.device}, {"driver", report.driver}, {"build_options", report.build_options}, {"lanes", report.lanes}};
+}
+
+}  // namespace
+
+std::string to_json(const Report& report)
+{
+    Json json;
+    json["schema"] = report_schema;
+    json["version"] = report.version;
+    json["scene"] = {{"file", report.scene}, {"hash", fmt::format("{:016x}", report.scene_hash)}};
+    json["method"] = report.method;
+    json["seed"] = fmt::to_string(report.seed);
+    json["width"] = report.width, json["height"] = report.height, json["passes"] = report.passes;
+    json["max_depth"] = report.max_depth < 0 ? Json(nullptr) : Json(report.max_depth);
+    json["threads"] = report.threads;
+    json["device"] = device_of(report);
+    json["stopped_by"] = report.stopped_by;
+    json["error"] = report.error < 0 ? Json(nullptr) : number(report.error);
+    json["exposure"] = report.exposure ? number(*report.exposure) : Json(nullptr);
+    json["timings"] = timings_of(report);
+    json["counts"] = counts_of(report);
+    json["stages"] = stages_of(report);
+    json["effects"] = effects_of(report);
+    json["layers"] = layers_of(report);
+    json["numerics"] = numerics_of(report.ledger);
+    json["warnings"] = report.warnings;
+    json["outputs"] = report.outputs;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace tyndall

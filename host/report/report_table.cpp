@@ -1,0 +1,98 @@
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "report/readable.hpp"
+#include "report/report_output.hpp"
+
+namespace tyndall {
+namespace {
+
+using Text = std::string;
+
+template <class... Arguments>
+void line(Text& table, const char* label, fmt::format_string<Arguments...> format, Arguments&&... arguments)
+{
+    fmt::format_to(std::back_inserter(table), "  {:<17}", label);
+    fmt::format_to(std::back_inserter(table), format, std::forward<Arguments>(arguments)...);
+    table += '\n';
+}
+
+std::string count(std::uint64_t value) { return readable_count(static_cast<double>(value)); }
+
+void add_head(Text& table, const Report& report)
+{
+    line(table, "scene", "{}", printable(report.scene));
+    line(table, "image", "{} x {}, {} passes, seed {}, method {}", report.width, report.height, report.passes, report.seed, report.method);
+    if (!report.device.empty()) line(table, "device", "{}, {} lanes ({})", printable(report.device), report.lanes, printable(report.driver));
+    line(table, "time", "{} on {} threads, {} per pass, stopped by {}", readable_seconds(report.seconds), report.threads, readable_seconds(report.pass_seconds),
+         report.stopped_by);
+    line(table, "error", "{} (root of the estimated relative mean square error)", readable_percent(report.error));
+    if (report.exposure) line(table, "exposure", "{:+.2f} stops", *report.exposure);
+}
+
+void add_counts(Text& table, const Report& report)
+{
+    line(table, "virtual lights", "{} from {} light paths", count(report.virtual_lights), count(report.light_paths));
+    line(table, "eye segments", "{}, eye points {}", count(report.eye_segments), count(report.eye_points));
+    if (report.pairs && report.seconds > 0)
+        line(table, "pairs", "{} ({}/s), shadow segments {} ({}/s)", count(report.pairs), readable_count(static_cast<double>(report.pairs) / report.seconds),
+             count(report.shadow_segments), readable_count(static_cast<double>(report.shadow_segments) / report.seconds));
+}
+
+void add_stages(Text& table, const Report& report)
+{
+    if (report.stages.empty()) return;
+    table += "  stage              seconds   share       count\n";
+    for (const auto& stage : report.stages)
+        fmt::format_to(std::back_inserter(table), "    {:<16} {:>8.3f}  {:>5.1f} %  {:>10}\n", printable(stage.stage), stage.seconds,
+                       report.seconds > 0 ? 100 * stage.seconds / report.seconds : 0., count(stage.count));
+}
+
+void add_effects(Text& table, const Report& report)
+{
+    if (report.effects.empty()) return;
+    Text found, absent;
+    for (const auto& [effect, present] : report.effects) (present ? found : absent) += " " + effect;
+    line(table, "effects found", "{}", found.empty() ? "none" : found.substr(1));
+    line(table, "not in the scene", "{}", absent.empty() ? "none" : absent.substr(1));
+}
+
+void add_layers(Text& table, const Report& report)
+{
+    for (const auto& layer : report.layers) {
+        const auto what = layer.skipped ? "skipped: " + printable(layer.why) : layer.technique + (layer.unbiased ? "" : " (biased)");
+        fmt::format_to(std::back_inserter(table), "  {:<26} {}\n", layer.layer, what);
+    }
+}
+
+void add_ledger(Text& table, const NumericsLedger& ledger)
+{
+    const auto add = [&](const char* what, std::uint64_t cases) {
+        if (cases) fmt::format_to(std::back_inserter(table), "  numerics: {} {}\n", cases, what);
+    };
+    add("pixels were not finite in one pass and count as 0 there", ledger.not_finite_pixels);
+    add("pairs were not finite and count as 0", ledger.not_finite_pairs);
+    add("shadow segments were too short or too close to a surface to be trusted", ledger.unsafe_shadow_segments);
+    add("pairs met a floor of their density", ledger.floored_pairs);
+    add("walks were ended because they crossed too many surfaces", ledger.runaway_walks);
+    for (const auto& first : ledger.first_cases) fmt::format_to(std::back_inserter(table), "    {}\n", printable(first));
+}
+
+}  // namespace
+
+std::string to_table(const Report& report)
+{
+    Text table;
+    add_head(table, report);
+    add_counts(table, report);
+    add_effects(table, report);
+    add_layers(table, report);
+    add_stages(table, report);
+    add_ledger(table, report.ledger);
+    for (const auto& warning : report.warnings) fmt::format_to(std::back_inserter(table), "  warning: {}\n", printable(warning));
+    for (const auto& output : report.outputs) fmt::format_to(std::back_inserter(table), "  wrote {}\n", printable(output));
+    return table;
+}
+
+}  // namespace tyndall
