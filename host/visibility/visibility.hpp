@@ -1,11 +1,14 @@
 #pragma once
 /// Embree and nothing but Embree: what does a ray meet, and can two points see each other?
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 
 #include <boost/container/small_vector.hpp>
 
+#include "kernels/shared/records.hpp"
 #include "scene/scene.hpp"
 
 namespace tyndall {
@@ -37,9 +40,9 @@ struct RayWalk {
     bool found = false;                                     ///< met a surface that is not null
     Hit surface;                                            ///< that surface, if found
     int medium = vacuum;                                    ///< the medium in front of it (of the last piece)
-};
 
-struct ShadowPacket;  // kernels/shared/shadow_packet.h: sixteen segments in Embree's RTCRay16 layout
+    std::span<const MediumPiece> all_pieces() const { return {pieces.data(), pieces.size()}; }
+};
 
 class Visibility {
 public:
@@ -74,13 +77,23 @@ public:
     /// Lanes with tfar < tnear on entry are left alone. Parallel over packets.
     void occluded(std::span<ShadowPacket> packets) const;
 
+    /// Runs `work` where TBB's parallel loops use at most the `threads` of the constructor.
+    void in_arena(const std::function<void()>& work) const;
+
+    /// Rays that met more than `max_crossings` null boundaries; their walk ended at the last one that was followed.
+    std::uint64_t runaway_walks() const;
+    /// Rays and packet lanes whose numbers were not finite. A ray then meets nothing; a lane is answered as blocked.
+    std::uint64_t invalid_rays() const;
+
+    static constexpr std::size_t max_crossings = 4096;
     /// Rounding of a point in render space (|x| <= 1, a few float roundings): 2^-21. Segment ends are shortened by it.
     static constexpr double endpoint_rounding = 0x1p-21;
     /// How far `leave` moves an origin, in render space: more than the float rounding of any hit.
     static constexpr double surface_offset = 0x1p-20;
 
+    struct State;  ///< visibility/embree_scene.hpp
+
 private:
-    struct State;
     std::unique_ptr<State> state_;
 };
 
