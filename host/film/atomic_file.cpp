@@ -20,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names of the temporary files in use, where a signal handler can reach them. A file beyond the last slot is only removed by its destructor.
+/// Names of the temporary files in use, where a signal handler can reach them. A file beyond the last slot is only removed by its
+/// destructor.
 struct Slot {
     std::atomic<int> state{0};  ///< 0 free, 1 being filled, 2 holds a name
     char name[PATH_MAX];
@@ -57,11 +58,19 @@ fs::path resolved(const fs::path& target)
 const char* advice(int error_number)
 {
     switch (error_number) {
-        case ENOSPC: case EDQUOT: return "free some space or choose another folder";
-        case EFBIG: return "the file size limit (ulimit -f) is too low for it";
-        case ENOENT: return "create the folder first";
-        case EROFS: case EACCES: case EPERM: return "choose a folder that you may write to";
-        default: return "choose another file name or folder";
+        case ENOSPC:
+        case EDQUOT:
+            return "free some space or choose another folder";
+        case EFBIG:
+            return "the file size limit (ulimit -f) is too low for it";
+        case ENOENT:
+            return "create the folder first";
+        case EROFS:
+        case EACCES:
+        case EPERM:
+            return "choose a folder that you may write to";
+        default:
+            return "choose another file name or folder";
     }
 }
 
@@ -81,7 +90,8 @@ void sync_folder(const fs::path& folder)
 void AtomicFile::fail(const char* action, int error_number)
 {
     if (failure_.empty())
-        failure_ = fmt::format("{}: {}: {}; nothing was changed there: {}", target_.string(), action, std::strerror(error_number), advice(error_number));
+        failure_ = fmt::format("{}: {}: {}; nothing was changed there: {}", target_.string(), action, std::strerror(error_number),
+                               advice(error_number));
     throw IoError(failure_);
 }
 

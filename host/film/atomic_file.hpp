@@ -17,7 +17,8 @@ public:
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
 
-    /// Appends at the current position. A failure is remembered and thrown again by `commit`, for callers whose library swallows exceptions.
+    /// Appends at the current position. A failure is remembered and thrown again by `commit`, for callers whose library swallows
+    /// exceptions.
     void write(const void* data, std::size_t size);
     void seek(std::uint64_t position);
     std::uint64_t position() const { return position_; }

@@ -48,7 +48,8 @@ double relative_mse(std::span<const Rgb> image, std::span<const Rgb> reference)
 double expected_relative_mse(std::span<const Rgb> image, std::span<const Rgb> variance_of_mean)
 {
     assert(image.size() == variance_of_mean.size() && !image.empty());
-    return mean_of_terms(image.size(), [&](std::size_t i) { return variance_of_mean[i]; }, [&](std::size_t i) { return image[i]; });
+    return mean_of_terms(
+        image.size(), [&](std::size_t i) { return variance_of_mean[i]; }, [&](std::size_t i) { return image[i]; });
 }
 
 double estimated_error(const Film& film)

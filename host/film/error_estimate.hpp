@@ -3,8 +3,8 @@
 ///
 ///   relMSE = mean over pixels and channels of (x - ref)^2 / (ref^2 + e),   e = (.05 mean of ref)^2
 ///
-/// and "the error" is its square root: .01 reads as one percent. Where there is no reference, the expectation of (x - ref)^2 is the variance
-/// of the mean and the image's own values stand for ref. This holds however the noise is correlated between pixels.
+/// and "the error" is its square root: .01 reads as one percent. Where there is no reference, the expectation of (x - ref)^2 is the
+/// variance of the mean and the image's own values stand for ref. This holds however the noise is correlated between pixels.
 #include <span>
 
 #include "film/film.hpp"

@@ -94,10 +94,12 @@ IoError unreadable(const std::filesystem::path& file, const std::string& why)
 void refuse_unlikely(const std::filesystem::path& file)
 {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) throw IoError(fmt::format("{}: there is no such file; check its name", file.string()));
+    if (!std::filesystem::is_regular_file(file, error))
+        throw IoError(fmt::format("{}: there is no such file; check its name", file.string()));
     bool tiled = false, deep = false, multi_part = false;
     if (!Imf::isOpenExrFile(file.c_str(), tiled, deep, multi_part)) throw unreadable(file, "is not an OpenEXR file");
-    if (deep || multi_part) throw unreadable(file, deep ? "holds deep data, which is not supported" : "has several parts, which is not supported");
+    if (deep || multi_part)
+        throw unreadable(file, deep ? "holds deep data, which is not supported" : "has several parts, which is not supported");
 }
 
 /// Checks the header's claims against the file before anything is allocated.
@@ -123,9 +125,12 @@ ExrImage empty_image(const Imf::Header& header)
     image.width = data.max.x - data.min.x + 1, image.height = data.max.y - data.min.y + 1;
     image.display_width = display.max.x - display.min.x + 1, image.display_height = display.max.y - display.min.y + 1;
     for (auto attribute = header.begin(); attribute != header.end(); ++attribute) {
-        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute())) image.attributes[attribute.name()] = text->value();
-        if (const auto* integer = dynamic_cast<const Imf::IntAttribute*>(&attribute.attribute())) image.attributes[attribute.name()] = integer->value();
-        if (const auto* number = dynamic_cast<const Imf::DoubleAttribute*>(&attribute.attribute())) image.attributes[attribute.name()] = number->value();
+        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute()))
+            image.attributes[attribute.name()] = text->value();
+        if (const auto* integer = dynamic_cast<const Imf::IntAttribute*>(&attribute.attribute()))
+            image.attributes[attribute.name()] = integer->value();
+        if (const auto* number = dynamic_cast<const Imf::DoubleAttribute*>(&attribute.attribute()))
+            image.attributes[attribute.name()] = number->value();
     }
     return image;
 }

@@ -20,9 +20,9 @@ struct ExrChannel {
 using ExrAttribute = std::variant<std::string, int, double>;
 
 struct ExrImage {
-    int x = 0, y = 0, width = 0, height = 0;    ///< data window: what `channels` hold, within the display window
-    int display_width = 0, display_height = 0;  ///< display window: the whole film
-    std::map<std::string, ExrChannel> channels; ///< "R", "media_to_media.R", ...
+    int x = 0, y = 0, width = 0, height = 0;     ///< data window: what `channels` hold, within the display window
+    int display_width = 0, display_height = 0;   ///< display window: the whole film
+    std::map<std::string, ExrChannel> channels;  ///< "R", "media_to_media.R", ...
     std::map<std::string, ExrAttribute> attributes;
 };
 

@@ -1,9 +1,9 @@
 #pragma once
 /// The film: sums of passes per layer and pixel in double, from which image and error bars follow.
 ///
-/// Passes are grouped in fixed blocks of B consecutive passes. The film keeps the sum of the block in progress and the total of the finished
-/// blocks; both are added in order. Floating-point sums do not re-associate, so this fixed grouping is what lets films that were rendered
-/// in whole blocks elsewhere add up to the same bytes as one long render.
+/// Passes are grouped in fixed blocks of B consecutive passes. The film keeps the sum of the block in progress and the total of the
+/// finished blocks; both are added in order. Floating-point sums do not re-associate, so this fixed grouping is what lets films that were
+/// rendered in whole blocks elsewhere add up to the same bytes as one long render.
 #include <cstdint>
 #include <optional>
 #include <vector>

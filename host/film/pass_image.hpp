@@ -25,9 +25,10 @@ struct PassImage {
 
 /// Features of the first camera sample of each pixel, for denoisers; averaged over passes like radiance.
 struct PixelFeatures {
-    std::vector<Rgb> albedo;  ///< reflectance of the first surface that is not specular, or single scattering albedo of a medium met first; 0 for nothing
-    std::vector<Vec3> normal; ///< shading normal there, world space; 0 for nothing
-    std::vector<double> depth;///< distance along the view axis to the first surface in scene-file units; 0 for nothing
+    std::vector<Rgb> albedo;  ///< reflectance of the first surface that is not specular, or single scattering albedo of a medium met first;
+                              ///< 0 for nothing
+    std::vector<Vec3> normal;   ///< shading normal there, world space; 0 for nothing
+    std::vector<double> depth;  ///< distance along the view axis to the first surface in scene-file units; 0 for nothing
 };
 
 }  // namespace tyndall

@@ -18,7 +18,8 @@ namespace {
 std::vector<std::uint8_t> tone_mapped(std::span<const Rgb> image, double exposure)
 {
     std::vector<std::uint8_t> bytes(3 * image.size());
-    for (std::size_t i = 0; i < image.size(); ++i) std::ranges::copy(tone_map(image[i], exposure), bytes.begin() + static_cast<std::ptrdiff_t>(3 * i));
+    for (std::size_t i = 0; i < image.size(); ++i)
+        std::ranges::copy(tone_map(image[i], exposure), bytes.begin() + static_cast<std::ptrdiff_t>(3 * i));
     return bytes;
 }
 

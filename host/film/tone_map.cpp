@@ -34,7 +34,8 @@ std::array<std::uint8_t, 3> tone_map(const Rgb& radiance, double exposure)
     const double scale = std::exp2(exposure);
     std::array<std::uint8_t, 3> pixel{};
     for (int c = 0; c < 3; ++c)
-        if (const double value = scale * radiance[c]; value > 0) pixel[c] = static_cast<std::uint8_t>(std::lround(255 * srgb(shoulder(value))));
+        if (const double value = scale * radiance[c]; value > 0)
+            pixel[c] = static_cast<std::uint8_t>(std::lround(255 * srgb(shoulder(value))));
     return pixel;
 }
 

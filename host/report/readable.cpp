@@ -47,9 +47,12 @@ std::string printable(const std::string& text)
         const auto byte = static_cast<unsigned char>(text[i]);
         const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
         const bool c1_control = byte == 0xc2 && next >= 0x80 && next < 0xa0;  // U+0080..U+009F: some terminals obey them
-        if (byte < 0x20 || byte == 0x7f) clean += fmt::format("\\x{:02x}", byte);
-        else if (c1_control) clean += fmt::format("\\x{:02x}", next), ++i;
-        else clean += text[i];
+        if (byte < 0x20 || byte == 0x7f)
+            clean += fmt::format("\\x{:02x}", byte);
+        else if (c1_control)
+            clean += fmt::format("\\x{:02x}", next), ++i;
+        else
+            clean += text[i];
     }
     return clean;
 }

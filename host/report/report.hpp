@@ -11,15 +11,15 @@
 namespace tyndall {
 
 struct StageTime {
-    std::string stage;         ///< trace_lights, trace_eyes, trace_paths, sample_pairs, shadow_segments, accumulate_pairs, transfer, film, write
-    double seconds = 0;        ///< wall clock
-    std::uint64_t count = 0;   ///< of what the stage works on: lights, segments, pairs, ...
+    std::string stage;   ///< trace_lights, trace_eyes, trace_paths, sample_pairs, shadow_segments, accumulate_pairs, transfer, film, write
+    double seconds = 0;  ///< wall clock
+    std::uint64_t count = 0;  ///< of what the stage works on: lights, segments, pairs, ...
 };
 
 struct LayerReport {
     std::string layer, technique;  ///< technique: "virtual ray lights", "path tracing", "equi-angular", "next-event estimation", "skipped"
     bool skipped = false;
-    std::string why;               ///< for a skipped layer: what the scene lacks, or that it was turned off
+    std::string why;  ///< for a skipped layer: what the scene lacks, or that it was turned off
     bool unbiased = true;
 };
 
@@ -35,16 +35,16 @@ struct Report {
     int width = 0, height = 0, passes = 0, threads = 0, lanes = 0, max_depth = -1;
     std::uint64_t light_paths = 0, virtual_lights = 0, eye_segments = 0, eye_points = 0, pairs = 0, shadow_segments = 0, launches = 0;
     double seconds = 0, largest_launch_seconds = 0, pass_seconds = 0;
-    double error = 0;                    ///< estimated sqrt(relMSE) of the image (host/film/error_estimate.hpp); negative: unknown (one pass)
-    std::string stopped_by;              ///< "passes", "time", "interrupt"
+    double error = 0;        ///< estimated sqrt(relMSE) of the image (host/film/error_estimate.hpp); negative: unknown (one pass)
+    std::string stopped_by;  ///< "passes", "time", "interrupt"
     std::vector<std::pair<std::string, bool>> effects;  ///< feature name -> found in this scene
     std::vector<LayerReport> layers;
     std::vector<StageTime> stages;
     std::vector<std::string> warnings;
     NumericsLedger ledger;
-    std::string version;                 ///< of Tyndall
-    std::optional<double> exposure;      ///< of the picture, in stops; none: no picture was written
-    std::vector<std::string> outputs;    ///< files written
+    std::string version;               ///< of Tyndall
+    std::optional<double> exposure;    ///< of the picture, in stops; none: no picture was written
+    std::vector<std::string> outputs;  ///< files written
 };
 
 }  // namespace tyndall

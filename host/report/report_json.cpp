@@ -16,8 +16,12 @@ Json rate(std::uint64_t count, double seconds) { return seconds > 0 ? number(sta
 
 Json counts_of(const Report& report)
 {
-    return {{"light_paths", report.light_paths}, {"virtual_lights", report.virtual_lights}, {"eye_segments", report.eye_segments},
-            {"eye_points", report.eye_points},   {"pairs", report.pairs},                   {"shadow_segments", report.shadow_segments},
+    return {{"light_paths", report.light_paths},
+            {"virtual_lights", report.virtual_lights},
+            {"eye_segments", report.eye_segments},
+            {"eye_points", report.eye_points},
+            {"pairs", report.pairs},
+            {"shadow_segments", report.shadow_segments},
             {"launches", report.launches}};
 }
 
@@ -34,7 +38,10 @@ Json stages_of(const Report& report)
 {
     Json stages = Json::array();
     for (const auto& stage : report.stages)
-        stages.push_back({{"stage", stage.stage}, {"seconds", number(stage.seconds)}, {"count", stage.count}, {"per_second", rate(stage.count, stage.seconds)}});
+        stages.push_back({{"stage", stage.stage},
+                          {"seconds", number(stage.seconds)},
+                          {"count", stage.count},
+                          {"per_second", rate(stage.count, stage.seconds)}});
     return stages;
 }
 
@@ -42,7 +49,11 @@ Json layers_of(const Report& report)
 {
     Json layers = Json::array();
     for (const auto& layer : report.layers)
-        layers.push_back({{"layer", layer.layer}, {"technique", layer.technique}, {"skipped", layer.skipped}, {"why", layer.why}, {"unbiased", layer.unbiased}});
+        layers.push_back({{"layer", layer.layer},
+                          {"technique", layer.technique},
+                          {"skipped", layer.skipped},
+                          {"why", layer.why},
+                          {"unbiased", layer.unbiased}});
     return layers;
 }
 
@@ -55,9 +66,12 @@ Json effects_of(const Report& report)
 
 Json numerics_of(const NumericsLedger& ledger)
 {
-    return {{"not_finite_pixels", ledger.not_finite_pixels}, {"not_finite_pairs", ledger.not_finite_pairs},
-            {"unsafe_shadow_segments", ledger.unsafe_shadow_segments}, {"floored_pairs", ledger.floored_pairs},
-            {"runaway_walks", ledger.runaway_walks}, {"first_cases", ledger.first_cases}};
+    return {{"not_finite_pixels", ledger.not_finite_pixels},
+            {"not_finite_pairs", ledger.not_finite_pairs},
+            {"unsafe_shadow_segments", ledger.unsafe_shadow_segments},
+            {"floored_pairs", ledger.floored_pairs},
+            {"runaway_walks", ledger.runaway_walks},
+            {"first_cases", ledger.first_cases}};
 }
 
 Json device_of(const Report& report)

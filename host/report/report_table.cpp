@@ -24,9 +24,10 @@ void add_head(Text& table, const Report& report)
 {
     line(table, "scene", "{}", printable(report.scene));
     line(table, "image", "{} x {}, {} passes, seed {}, method {}", report.width, report.height, report.passes, report.seed, report.method);
-    if (!report.device.empty()) line(table, "device", "{}, {} lanes ({})", printable(report.device), report.lanes, printable(report.driver));
-    line(table, "time", "{} on {} threads, {} per pass, stopped by {}", readable_seconds(report.seconds), report.threads, readable_seconds(report.pass_seconds),
-         report.stopped_by);
+    if (!report.device.empty())
+        line(table, "device", "{}, {} lanes ({})", printable(report.device), report.lanes, printable(report.driver));
+    line(table, "time", "{} on {} threads, {} per pass, stopped by {}", readable_seconds(report.seconds), report.threads,
+         readable_seconds(report.pass_seconds), report.stopped_by);
     line(table, "error", "{} (root of the estimated relative mean square error)", readable_percent(report.error));
     if (report.exposure) line(table, "exposure", "{:+.2f} stops", *report.exposure);
 }
@@ -36,8 +37,9 @@ void add_counts(Text& table, const Report& report)
     line(table, "virtual lights", "{} from {} light paths", count(report.virtual_lights), count(report.light_paths));
     line(table, "eye segments", "{}, eye points {}", count(report.eye_segments), count(report.eye_points));
     if (report.pairs && report.seconds > 0)
-        line(table, "pairs", "{} ({}/s), shadow segments {} ({}/s)", count(report.pairs), readable_count(static_cast<double>(report.pairs) / report.seconds),
-             count(report.shadow_segments), readable_count(static_cast<double>(report.shadow_segments) / report.seconds));
+        line(table, "pairs", "{} ({}/s), shadow segments {} ({}/s)", count(report.pairs),
+             readable_count(static_cast<double>(report.pairs) / report.seconds), count(report.shadow_segments),
+             readable_count(static_cast<double>(report.shadow_segments) / report.seconds));
 }
 
 void add_stages(Text& table, const Report& report)

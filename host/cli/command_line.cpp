@@ -1,0 +1,143 @@
+#include "cli/command_line.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/list_commands.hpp"
+#include "cli/render_command.hpp"
+#include "cli/render_options.hpp"
+#include "cli/suggestion.hpp"
+#include "cli/version.hpp"
+#include "report/readable.hpp"
+#include "tyndall/error.hpp"
+
+namespace tyndall {
+namespace {
+
+/// Everything that can be asked for.
+struct Request {
+    RenderCommand render;
+    InfoCommand info;
+    bool devices_as_json = false;
+};
+
+constexpr const char* examples = R"(Examples:
+  tyndall render scene.xml                       16 passes into scene.exr, .png, .json
+  tyndall render scene.xml -o fog.exr --time 2m  what two minutes allow
+  tyndall render scene.xml --method path         the same image by path tracing
+  tyndall info scene.xml                         what the file says
+  tyndall devices                                where it can run
+)";
+
+constexpr const char* render_examples = R"(Examples:
+  tyndall render scene.xml -o fog.exr --passes 64
+  tyndall render scene.xml --time 2m --resolution 320x240
+  tyndall render scene.xml --layer single,media_to_media --crop 100,50,64,64
+  tyndall render scene.xml -D density=2 --seed 7 --no-timestamps
+)";
+
+/// Help with the examples first, then usage and options.
+class ExamplesFirst : public CLI::Formatter {
+public:
+    ExamplesFirst() { column_width(32); }
+    std::string make_description(const CLI::App* app) const override
+    {
+        const char* shown = app->get_name() == "render" ? render_examples : app->get_parent() ? "" : examples;
+        return app->get_description() + "\n\n" + shown + (*shown ? "\n" : "");
+    }
+};
+
+void declare(CLI::App& app, Request& request)
+{
+    app.formatter(std::make_shared<ExamplesFirst>());
+    app.set_help_flag("-h,--help", "print this and exit");
+    app.set_version_flag("--version", version_text, "print version, commit and libraries, and exit");
+    app.require_subcommand(1);
+    auto* render = app.add_subcommand("render", "Renders a scene: EXR with layers, PNG, report");
+    add_render_options(*render, request.render);
+    auto* info = app.add_subcommand("info", "Prints what was read from a scene");
+    info->add_option("scene", request.info.scene, "scene file, Mitsuba 3 XML")->required()->type_name("SCENE.XML");
+    info->add_flag("--json", request.info.json, "as JSON");
+    add_load_options(*info, request.info.load);
+    app.add_subcommand("devices", "Lists the OpenCL devices")->add_flag("--json", request.devices_as_json, "as JSON");
+}
+
+std::vector<std::string> option_names(const CLI::App& app)
+{
+    std::vector<std::string> names;
+    for (const auto* option : app.get_options())
+        for (const auto& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& app)
+{
+    std::vector<std::string> names;
+    for (const auto* command : app.get_subcommands(nullptr)) names.push_back(command->get_name());
+    return names;
+}
+
+/// What stands behind CLI11's "not expected" or "required": the first argument that nobody knows, with the nearest name.
+std::string unknown_argument(const CLI::App& app, int argc, char** argv)
+{
+    const CLI::App* command = app.get_subcommands().empty() ? &app : app.get_subcommands().front();
+    for (int i = 1; i < argc; ++i) {
+        const std::string argument(argv[i]);
+        const auto stem = argument.substr(0, argument.find('='));
+        if (stem.rfind("--", 0) == 0 && stem.size() > 2 && !command->get_option_no_throw(stem))
+            return fmt::format("unknown option {}{}", stem, suggestion(stem, option_names(*command)));
+        if (command == &app && stem[0] != '-')
+            return fmt::format("unknown command \"{}\"{}", argument,
+                               argument.ends_with(".xml") ? "; did you mean `tyndall render " + argument + "`?"
+                                                          : suggestion(argument, command_names(app)));
+    }
+    return {};
+}
+
+/// Help and version go to standard output and succeed; the rest is a usage error.
+int end_of_parsing(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv)
+{
+    if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
+    auto sentence = unknown_argument(app, argc, argv);
+    if (sentence.empty()) sentence = error.what();
+    throw UsageError(sentence + "\n`tyndall -h` and `tyndall render -h` list what there is");
+}
+
+int run(int argc, char** argv)
+{
+    Request request;
+    CLI::App app("Tyndall renders fog, smoke and juice with virtual ray lights on any OpenCL device.", "tyndall");
+    declare(app, request);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return end_of_parsing(app, error, argc, argv);
+    }
+    if (app.got_subcommand("render")) return run_render(request.render);
+    if (app.got_subcommand("info")) return run_info(request.info);
+    return run_devices(request.devices_as_json);
+}
+
+/// Data that did not reach standard output is a failure too.
+int flushed(int code)
+{
+    if (code == 0 && (std::fflush(stdout) != 0 || std::ferror(stdout)))
+        throw IoError("standard output could not be written; the disk may be full");
+    return code;
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv)
+{
+    report_write_signals_as_errors();
+    try {
+        return flushed(run(argc, argv));
+    } catch (...) {
+        return report_failure();
+    }
+}
+
+}  // namespace tyndall

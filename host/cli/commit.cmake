@@ -1,0 +1,12 @@
+# Run at every build: writes HEADER with the commit of SOURCE, but touches it only when that changed.
+execute_process(COMMAND git -C ${SOURCE} describe --always --dirty --abbrev=10 OUTPUT_VARIABLE commit ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE failed)
+if(failed OR NOT commit)
+  set(commit unknown)
+endif()
+set(text "#define TYNDALL_COMMIT \"${commit}\"\n")
+if(EXISTS ${HEADER})
+  file(READ ${HEADER} old)
+endif()
+if(NOT text STREQUAL "${old}")
+  file(WRITE ${HEADER} "${text}")
+endif()

@@ -1,0 +1,61 @@
+#include "cli/interrupt.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <csignal>
+
+#include "cli/exit_code.hpp"
+#include "film/atomic_file.hpp"
+
+namespace tyndall {
+namespace {
+
+constexpr std::array handled{SIGINT, SIGTERM, SIGHUP};
+std::atomic<int> first_signal{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+
+extern "C" void on_signal(int number)
+{
+    int none = 0;
+    if (first_signal.compare_exchange_strong(none, number)) return;
+    AtomicFile::remove_unfinished();
+    ::_exit(exit_after_signal + number);
+}
+
+/// What was there before; the guard puts it back.
+std::array<struct sigaction, handled.size()> previous;
+
+void install(int number, struct sigaction& before)
+{
+    struct sigaction action {};
+    action.sa_handler = on_signal;
+    action.sa_flags = SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    ::sigaction(number, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) ::sigaction(number, &action, nullptr);  // ignored on purpose, as under nohup: stays so
+}
+
+}  // namespace
+
+InterruptGuard::InterruptGuard()
+{
+    first_signal = 0;
+    for (std::size_t i = 0; i < handled.size(); ++i) install(handled[i], previous[i]);
+}
+
+InterruptGuard::~InterruptGuard()
+{
+    for (std::size_t i = 0; i < handled.size(); ++i) ::sigaction(handled[i], &previous[i], nullptr);
+}
+
+int InterruptGuard::signal() const { return first_signal; }
+
+void report_write_signals_as_errors()
+{
+    ::signal(SIGXFSZ, SIG_IGN);
+    ::signal(SIGPIPE, SIG_IGN);
+}
+
+}  // namespace tyndall

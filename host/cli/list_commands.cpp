@@ -1,0 +1,70 @@
+#include "cli/list_commands.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/exit_code.hpp"
+#include "cli/scene_json.hpp"
+#include "device/device_list.hpp"
+#include "report/readable.hpp"
+#include "scene/describe.hpp"
+
+namespace tyndall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const DeviceInfo& device)
+{
+    return {{"index", device.index},
+            {"platform", device.platform},
+            {"name", device.name},
+            {"vendor", device.vendor},
+            {"driver", device.driver},
+            {"version", device.version},
+            {"usable", device.usable},
+            {"why_not", device.why_not},
+            {"is_cpu", device.is_cpu},
+            {"compute_units", device.compute_units},
+            {"native_float_width", device.native_float_width},
+            {"global_memory", device.global_memory},
+            {"max_allocation", device.max_allocation},
+            {"fp64", device.fp64},
+            {"native_kernels", device.native_kernels},
+            {"default_lanes", device.default_lanes}};
+}
+
+void print_device(const DeviceInfo& device)
+{
+    constexpr double gib = 1024. * 1024 * 1024;
+    fmt::print("{:>3}  {}: {}\n", device.index, printable(device.platform), printable(device.name));
+    fmt::print("     {}, driver {}, {}\n", printable(device.vendor), printable(device.driver), printable(device.version));
+    fmt::print("     {} compute units, {:.1f} GiB, at most {:.1f} GiB at once, {} lanes, double {}\n", device.compute_units,
+               static_cast<double>(device.global_memory) / gib, static_cast<double>(device.max_allocation) / gib, device.default_lanes,
+               device.fp64 ? "yes" : "no");
+    if (!device.usable) fmt::print("     not usable: {}\n", printable(device.why_not));
+}
+
+}  // namespace
+
+int run_info(const InfoCommand& command)
+{
+    const Scene scene = load_scene(command.scene, command.load);
+    for (const auto& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", printable(warning));
+    fmt::print("{}", command.json ? to_json(scene) : describe(scene));
+    return static_cast<int>(ExitCode::ok);
+}
+
+int run_devices(bool json)
+{
+    const auto devices = list_devices();
+    Json list = Json::array();
+    for (const auto& device : devices) json ? list.push_back(json_of(device)) : print_device(device);
+    if (json)
+        fmt::print("{}\n", Json{{"schema", "tyndall-devices/1"}, {"devices", list}}.dump(2, ' ', false, Json::error_handler_t::replace));
+    choose_device("");  // none usable: says what was tried
+    return static_cast<int>(ExitCode::ok);
+}
+
+}  // namespace tyndall

@@ -1,0 +1,36 @@
+#pragma once
+/// Values of options, strictly: the whole text, decimal, in range, in the C locale. All throw UsageError that names option and value.
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tyndall/layer.hpp"
+#include "tyndall/settings.hpp"
+
+namespace tyndall {
+
+std::int64_t parse_integer(std::string_view option, const std::string& text, std::int64_t low, std::int64_t high);
+std::uint64_t parse_unsigned(std::string_view option, const std::string& text);
+double parse_number(std::string_view option, const std::string& text, double low, double high);
+
+/// "60", "60s", "2m", "1.5h" in seconds, more than 0 and at most a year.
+double parse_duration(std::string_view option, const std::string& text);
+
+/// "640x480": width and height, 1 to 65536 each.
+std::pair<int, int> parse_resolution(std::string_view option, const std::string& text);
+
+/// "x,y,w,h": pixels from the top left corner.
+Crop parse_crop(std::string_view option, const std::string& text);
+
+/// Adds the comma-separated layer names to the set; "all" adds every layer.
+void parse_layers(std::string_view option, const std::string& text, LayerSet& layers);
+
+/// Index of `text` in `names`.
+std::size_t parse_choice(std::string_view option, const std::string& text, const std::vector<std::string>& names);
+
+/// "name=value"; the name is not empty.
+std::pair<std::string, std::string> parse_definition(std::string_view option, const std::string& text);
+
+}  // namespace tyndall

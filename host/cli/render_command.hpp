@@ -1,0 +1,37 @@
+#pragma once
+/// `tyndall render`: what was asked for, and doing it.
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "cli/progress_view.hpp"
+#include "scene/load_scene.hpp"
+#include "scene/scene.hpp"
+#include "tyndall/settings.hpp"
+
+namespace tyndall {
+
+struct RenderCommand {
+    std::filesystem::path scene, output, report;  ///< empty output and report: named after the scene and the output
+    LoadOptions load;
+    RenderSettings settings;
+    std::optional<std::pair<int, int>> resolution;
+    std::optional<Crop> crop;
+    std::optional<double> exposure;         ///< stops; none: automatic
+    std::optional<ProgressStyle> progress;  ///< none: a bar on a terminal, plain lines otherwise
+    bool half = false, timestamps = true;
+};
+
+/// Passes when neither passes nor time are given.
+inline constexpr int default_passes = 16;
+
+/// Gives the camera another resolution and crop window. Without a new crop, the scene's own keeps its place in the picture: it is scaled
+/// with the film and rounded outward to whole pixels. Throws UsageError for a crop window that does not lie in the film or a film that is
+/// too large.
+void override_film(Camera& camera, const std::optional<std::pair<int, int>>& resolution, const std::optional<Crop>& crop);
+
+/// Loads, renders, writes. Returns the exit code; throws the errors of tyndall/error.hpp.
+int run_render(RenderCommand command);
+
+}  // namespace tyndall

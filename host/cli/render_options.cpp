@@ -1,0 +1,130 @@
+#include "cli/render_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <functional>
+
+#include "cli/parse_values.hpp"
+
+namespace tyndall {
+namespace {
+
+/// An option whose text goes through one of parse_values.hpp's functions; may be given once.
+CLI::Option* add(CLI::App& app, const char* name, const char* type, const char* description, std::function<void(const std::string&)> parse)
+{
+    return app.add_option_function<std::string>(name, std::move(parse), description)->type_name(type);
+}
+
+int integer(const char* option, const std::string& text, int low, int high)
+{
+    return static_cast<int>(parse_integer(option, text, low, high));
+}
+
+void add_budget(CLI::App& app, RenderSettings& settings)
+{
+    add(app, "-p,--passes", "N", "stop after N passes (16, unless a time is given)",
+        [&](const auto& text) { settings.passes = integer("--passes", text, 1, 1 << 30); });
+    add(app, "-t,--time", "TIME", "stop before this wall-clock time: 60, 60s, 2m, 1.5h",
+        [&](const auto& text) { settings.seconds = parse_duration("--time", text); });
+    add(app, "--lights", "N", "virtual lights per pass, aimed at (chosen from image size and time)",
+        [&](const auto& text) { settings.lights = static_cast<std::uint32_t>(parse_integer("--lights", text, 1, 1 << 26)); });
+    add(app, "--seed", "N", "another seed, other noise (1)", [&](const auto& text) { settings.seed = parse_unsigned("--seed", text); });
+}
+
+void add_transport(CLI::App& app, RenderSettings& settings, LayerSet& layers)
+{
+    add(app, "--method", "NAME", "vrl: virtual ray lights; path: path tracing of every layer (vrl)", [&](const auto& text) {
+        settings.method = parse_choice("--method", text, {"vrl", "path"}) == 0 ? Method::vrl : Method::path;
+    });
+    app.add_option_function<std::vector<std::string>>(
+           "--layer",
+           [&](const std::vector<std::string>& texts) {
+               layers = {};
+               for (const auto& text : texts) parse_layers("--layer", text, layers);
+           },
+           "keep only these layers, for example single,media_to_media; repeatable (all)")
+        ->type_name("NAMES")
+        ->allow_extra_args(false);
+    add(app, "--max-depth", "D", "paths have at most D - 1 scattering vertices; -1: no limit (the scene's)",
+        [&](const auto& text) { settings.max_depth = text == "-1" ? -1 : integer("--max-depth", text, 1, 1 << 20); });
+    add(app, "--light-segments", "WHICH", "all, or first: only those that leave the emitter (all)", [&](const auto& text) {
+        settings.light_segments = parse_choice("--light-segments", text, {"all", "first"}) == 0 ? LightSegments::all : LightSegments::first;
+    });
+    auto* longer = app.add_flag_callback(
+        "--long", [&] { settings.segment_length = SegmentLength::long_; }, "virtual ray lights reach the next surface (default)");
+    app.add_flag_callback(
+           "--short", [&] { settings.segment_length = SegmentLength::short_; }, "virtual ray lights end at their sampled collision")
+        ->excludes(longer);
+}
+
+void add_film(CLI::App& app, RenderCommand& command)
+{
+    add(app, "--resolution", "WxH", "film size in pixels; the scene's crop window is scaled with it",
+        [&](const auto& text) { command.resolution = parse_resolution("--resolution", text); });
+    add(app, "--crop", "X,Y,W,H", "render only this window of the film, in pixels from the top left",
+        [&](const auto& text) { command.crop = parse_crop("--crop", text); });
+    add(app, "--exposure", "STOPS", "brightness of the PNG (automatic: 95th percentile at .7)", [&](const auto& text) {
+        if (text != "auto") command.exposure = parse_number("--exposure", text, -64, 64);
+    });
+    app.add_flag("--half", command.half, "16-bit colours in the EXR; variance and depth stay 32-bit");
+    app.add_flag_callback(
+        "--no-timestamps", [&] { command.timestamps = false; },
+        "nothing of the clock in the EXR: equal renders are byte-equal (also with SOURCE_DATE_EPOCH set)");
+}
+
+void add_machine(CLI::App& app, RenderSettings& settings)
+{
+    add(app, "-d,--device", "DEVICE", "index, part of the name, or platform:device, as `tyndall devices` lists", [&](const auto& text) {
+        settings.device = text;
+    })->envname("TYNDALL_DEVICE");
+    add(app, "--lanes", "N", "pixels per work-item: 1, 4, 8 or 16 (by device); part of the result", [&](const auto& text) {
+        settings.lanes = std::array{1, 4, 8, 16}[parse_choice("--lanes", text, {"1", "4", "8", "16"})];
+    })->envname("TYNDALL_LANES");
+    add(app, "--threads", "N", "host threads (all cores)", [&](const auto& text) {
+        settings.threads = integer("--threads", text, 1, 1024);
+    })->envname("TYNDALL_THREADS");
+    add(app, "--tile", "PAIRS", "pairs per tile; never changes a byte of the image",
+        [&](const auto& text) { settings.tile_pairs = static_cast<std::uint32_t>(parse_integer("--tile", text, 1, 1 << 30)); });
+}
+
+void add_output(CLI::App& app, RenderCommand& command)
+{
+    app.add_option("-o,--output", command.output, "image, *.exr; PNG and report (JSON) are written beside it")->type_name("FILE");
+    app.add_option("--report", command.report, "another name for the report")->type_name("FILE");
+    add(app, "--progress", "STYLE", "auto, bar, plain, json (on standard output) or none (auto)", [&](const auto& text) {
+        const auto choice = parse_choice("--progress", text, {"auto", "bar", "plain", "json", "none"});
+        constexpr std::array styles{ProgressStyle::none, ProgressStyle::bar, ProgressStyle::plain, ProgressStyle::json,
+                                    ProgressStyle::none};
+        command.progress = choice == 0 ? std::nullopt : std::optional(styles[choice]);
+    })->envname("TYNDALL_PROGRESS");
+}
+
+}  // namespace
+
+void add_load_options(CLI::App& app, LoadOptions& options)
+{
+    app.add_option_function<std::vector<std::string>>(
+           "-D,--define",
+           [&](const std::vector<std::string>& texts) {
+               for (const auto& text : texts)
+                   options.definitions.insert_or_assign(parse_definition("-D", text).first, parse_definition("-D", text).second);
+           },
+           "value for a <default> of the scene; repeatable")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
+    app.add_flag("--allow-outside", options.allow_outside, "let the scene name files outside its own folder");
+}
+
+void add_render_options(CLI::App& app, RenderCommand& command)
+{
+    if (std::getenv("SOURCE_DATE_EPOCH")) command.timestamps = false;
+    app.add_option("scene", command.scene, "scene file, Mitsuba 3 XML")->required()->type_name("SCENE.XML");
+    add_output(app, command);
+    add_budget(app, command.settings);
+    add_film(app, command);
+    add_transport(app, command.settings, command.settings.layers);
+    add_machine(app, command.settings);
+    add_load_options(app, command.load);
+}
+
+}  // namespace tyndall

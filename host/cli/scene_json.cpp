@@ -1,0 +1,103 @@
+#include "cli/scene_json.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+namespace tyndall {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+/// Name of a medium or null for vacuum.
+Json medium_name(const Scene& scene, int medium)
+{
+    return medium == vacuum ? Json(nullptr) : Json(scene.media[static_cast<std::size_t>(medium)].name);
+}
+
+Json media_of(const Scene& scene)
+{
+    Json media = Json::array();
+    for (const auto& medium : scene.media)
+        media.push_back({{"name", medium.name},
+                         {"where", to_string(medium.where)},
+                         {"sigma_t", json_of(medium.sigma_t / scene.unit)},
+                         {"albedo", json_of(medium.albedo)},
+                         {"phase", medium.phase.type == PhaseFunction::Type::isotropic ? "isotropic" : "hg"},
+                         {"g", medium.phase.g}});
+    return media;
+}
+
+Json shapes_of(const Scene& scene)
+{
+    constexpr std::array types{"mesh", "sphere", "disk", "cylinder"};
+    Json shapes = Json::array();
+    for (const auto& shape : scene.shapes) {
+        Json json{{"name", shape.name}, {"where", to_string(shape.where)}, {"type", types[static_cast<std::size_t>(shape.type)]}};
+        if (shape.type == Shape::Type::mesh)
+            json["triangles"] = shape.mesh.triangles.size(), json["closed"] = shape.mesh.closed, json["convex"] = shape.mesh.convex;
+        json["bsdf"] = scene.bsdfs[static_cast<std::size_t>(shape.bsdf)].name;
+        json["emitter"] = shape.emitter == none ? Json(nullptr) : Json(scene.emitters[static_cast<std::size_t>(shape.emitter)].name);
+        if (shape.medium_boundary)
+            json["interior"] = medium_name(scene, shape.interior), json["exterior"] = medium_name(scene, shape.exterior);
+        shapes.push_back(json);
+    }
+    return shapes;
+}
+
+Json emitters_of(const Scene& scene)
+{
+    constexpr std::array types{"point", "spot", "area", "directional", "constant"};
+    Json emitters = Json::array();
+    for (const auto& emitter : scene.emitters)
+        emitters.push_back({{"name", emitter.name},
+                            {"where", to_string(emitter.where)},
+                            {"type", types[static_cast<std::size_t>(emitter.type)]},
+                            {"medium", medium_name(scene, emitter.medium)}});
+    return emitters;
+}
+
+Json bsdfs_of(const Scene& scene)
+{
+    constexpr std::array types{"null", "diffuse", "dielectric", "conductor"};
+    Json bsdfs = Json::array();
+    for (const auto& bsdf : scene.bsdfs)
+        bsdfs.push_back({{"name", bsdf.name},
+                         {"where", to_string(bsdf.where)},
+                         {"type", types[static_cast<std::size_t>(bsdf.type)]},
+                         {"two_sided", bsdf.two_sided}});
+    return bsdfs;
+}
+
+Json film_of(const Camera& camera)
+{
+    return {{"width", camera.width},
+            {"height", camera.height},
+            {"crop", {camera.crop_x, camera.crop_y, camera.crop_width, camera.crop_height}},
+            {"filter", camera.filter.type == Filter::Type::box ? "box" : "gaussian"}};
+}
+
+}  // namespace
+
+std::string to_json(const Scene& scene)
+{
+    Json json;
+    json["schema"] = "tyndall-scene/1";
+    json["file"] = scene.file;
+    json["hash"] = fmt::format("{:016x}", scene.hash);
+    json["integrator"] = scene.integrator;
+    json["max_depth"] = scene.max_depth < 0 ? Json(nullptr) : Json(scene.max_depth);
+    json["film"] = film_of(scene.camera);
+    json["camera_medium"] = medium_name(scene, scene.camera.medium);
+    json["media"] = media_of(scene);
+    json["bsdfs"] = bsdfs_of(scene);
+    json["shapes"] = shapes_of(scene);
+    json["emitters"] = emitters_of(scene);
+    json["warnings"] = scene.warnings;
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace tyndall

@@ -1,0 +1,14 @@
+#include "cli/version.hpp"
+
+#include <fmt/format.h>
+
+#include "commit.h"     // made at build time by commit.cmake
+#include "libraries.h"  // made by CMake from libraries.h.in
+
+namespace tyndall {
+
+std::string version() { return fmt::format("{} ({})", TYNDALL_VERSION, TYNDALL_COMMIT); }
+
+std::string version_text() { return fmt::format("tyndall {}\ncompiled with {}\n{}", version(), TYNDALL_COMPILER, TYNDALL_LIBRARIES); }
+
+}  // namespace tyndall
