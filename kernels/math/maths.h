@@ -1,0 +1,17 @@
+/// All of kernels/math, in the order of dependence.
+#ifndef MATHS_H
+#define MATHS_H
+
+#include "kernels/dialect.h"
+#include "kernels/math/stable.h"
+#include "kernels/math/random.h"
+#include "kernels/math/rod.h"
+#include "kernels/math/equiangular.h"
+#include "kernels/math/pair_weight.h"
+#include "kernels/math/linear_piece.h"
+#include "kernels/math/mis.h"
+#include "kernels/math/phase_function.h"
+#include "kernels/math/surface_rod.h"
+#include "kernels/math/transmittance.h"
+
+#endif
