@@ -38,21 +38,21 @@ int choose_channel(const Rgb& share, double xi)
 
 }  // namespace
 
-Rgb optical_depth_of(const Scene& scene, std::span<const MediumPiece> pieces)
+Rgb optical_depth_of(const Scene& scene, PieceView pieces)
 {
     Rgb depth(0);
     for (const MediumPiece& piece : pieces) depth += depth_of(scene, piece, piece.t1);
     return depth;
 }
 
-Rgb transmittance_of(const Scene& scene, std::span<const MediumPiece> pieces) { return glm::exp(-optical_depth_of(scene, pieces)); }
+Rgb transmittance_of(const Scene& scene, PieceView pieces) { return glm::exp(-optical_depth_of(scene, pieces)); }
 
-Rgb optical_depth_to(const Scene& scene, std::span<const MediumPiece> pieces, std::size_t piece, double t)
+Rgb optical_depth_to(const Scene& scene, PieceView pieces, std::size_t piece, double t)
 {
     return optical_depth_of(scene, pieces.first(piece)) + depth_of(scene, pieces[piece], t);
 }
 
-FreeFlight sample_free_flight(const Scene& scene, std::span<const MediumPiece> pieces, const Rgb& throughput, const Vec2& xi)
+FreeFlight sample_free_flight(const Scene& scene, PieceView pieces, const Rgb& throughput, const Vec2& xi)
 {
     const double total = sum(throughput);
     if (!(total > 0)) return {};

@@ -7,6 +7,12 @@
 
 namespace tyndall {
 
+/// The pieces of a walked ray; made from RayWalk::pieces.
+struct PieceView : std::span<const MediumPiece> {
+    PieceView(const boost::container::small_vector_base<MediumPiece>& pieces) : span(pieces.data(), pieces.size()) {}
+    PieceView(std::span<const MediumPiece> pieces) : span(pieces) {}
+};
+
 /// What happened to light on its way along the pieces.
 struct FreeFlight {
     bool collided = false;  ///< it met a particle at distance t in pieces[piece]; otherwise it passed through all of them
@@ -16,15 +22,15 @@ struct FreeFlight {
 };
 
 /// Optical depth per channel of all pieces together. A piece may be 1e30 long: the depth is then huge but finite.
-Rgb optical_depth_of(const Scene& scene, std::span<const MediumPiece> pieces);
-Rgb transmittance_of(const Scene& scene, std::span<const MediumPiece> pieces);
+Rgb optical_depth_of(const Scene& scene, PieceView pieces);
+Rgb transmittance_of(const Scene& scene, PieceView pieces);
 
 /// Optical depth per channel from the start of the first piece to distance t in pieces[piece].
-Rgb optical_depth_to(const Scene& scene, std::span<const MediumPiece> pieces, std::size_t piece, double t);
+Rgb optical_depth_to(const Scene& scene, PieceView pieces, std::size_t piece, double t);
 
 /// Free flight. xi.x chooses a channel in proportion to `throughput`, xi.y the optical depth there; the density is balanced over channels, so that
 /// throughput x weight never exceeds the throughput's sum over channels (x albedo).
-FreeFlight sample_free_flight(const Scene& scene, std::span<const MediumPiece> pieces, const Rgb& throughput, const Vec2& xi);
+FreeFlight sample_free_flight(const Scene& scene, PieceView pieces, const Rgb& throughput, const Vec2& xi);
 
 /// Distance in [0, length] with density proportional to exp(-sigma t), by -log1p(xi expm1(-sigma length)) / sigma; length may be infinite if sigma > 0.
 double sample_exponential(double sigma, double length, double xi);

@@ -40,8 +40,6 @@ struct RayWalk {
     bool found = false;                                     ///< met a surface that is not null
     Hit surface;                                            ///< that surface, if found
     int medium = vacuum;                                    ///< the medium in front of it (of the last piece)
-
-    std::span<const MediumPiece> all_pieces() const { return {pieces.data(), pieces.size()}; }
 };
 
 class Visibility {
