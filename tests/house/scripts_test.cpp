@@ -1,0 +1,93 @@
+// The two commands of the README, with the system's package tools replaced by ones that only write down how they were called.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "source_tree.hpp"
+
+using namespace tyndall::house;
+using testing::HasSubstr;
+
+namespace {
+
+const fs::path root = TYNDALL_SOURCE_DIR;
+
+struct Outcome {
+    int exit_code = -1;
+    std::string output, calls;
+};
+
+std::string read(const fs::path& file)
+{
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void write_tool(const TemporaryFolder& folder, const std::string& name, const std::string& body)
+{
+    folder.write("bin/" + name, "#!/bin/bash\n" + body + "\n");
+    fs::permissions(folder.path() / "bin" / name, fs::perms::owner_all);
+}
+
+std::string quoted(const fs::path& path) { return std::string("'").append(path.string()).append("'"); }
+
+/// Runs a bash command where dpkg-query knows only the package "there", and apt-get and cmake only note their arguments.
+Outcome run(const TemporaryFolder& folder, const std::string& command)
+{
+    const std::string calls = quoted(folder.path() / "calls");
+    write_tool(folder, "dpkg-query", "[[ ${!#} == there ]] && echo -n installed");
+    write_tool(folder, "apt-get", "echo \"apt-get $*\" >>" + calls);
+    write_tool(folder, "sudo", "exec \"$@\"");
+    const std::string shell = "PATH=" + quoted(folder.path() / "bin") + ":$PATH; " + command;
+    folder.write("script.sh", shell + "\n");
+    const std::string line = "bash " + quoted(folder.path() / "script.sh") + " >" + quoted(folder.path() / "output") + " 2>&1";
+    const int status = std::system(line.c_str());
+    return {WEXITSTATUS(status), read(folder.path() / "output"), read(folder.path() / "calls")};
+}
+
+const std::string helper = "set -euo pipefail; source " + quoted(root / "host/cmake/install_and_build.sh") + "; ";
+
+}  // namespace
+
+TEST(Scripts, NothingMissingMeansNoPackageTool)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome = run(folder, helper + "install_packages there");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_EQ(outcome.calls, "");
+}
+
+TEST(Scripts, OnlyMissingPackagesAreInstalledAfterAnUpdate)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome = run(folder, helper + "install_packages away there gone");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("away gone"));
+    EXPECT_EQ(outcome.calls, "apt-get update --quiet\napt-get install --yes --quiet --no-install-recommends away gone\n");
+}
+
+TEST(Scripts, FailedUpdateStopsTheScript)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome = run(folder, helper + "apt-get() { :; }; as_root() { return 100; }; install_packages away; echo went on");
+    EXPECT_EQ(outcome.exit_code, 100) << outcome.output;
+    EXPECT_THAT(outcome.output, testing::Not(HasSubstr("went on")));
+}
+
+TEST(Scripts, UnknownSceneIsRefusedBeforeAnythingIsInstalled)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome = run(folder, "bash " + quoted(root / "scenes/render.sh") + " no_such_scene");
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("fruit_juice"));
+    EXPECT_EQ(outcome.calls, "");
+}
+
+TEST(Scripts, ContinuousIntegrationRunsTheTestsCommand)
+{
+    const fs::path ci = root / ".ci/run";
+    EXPECT_NE(fs::status(ci).permissions() & fs::perms::owner_exec, fs::perms::none);
+    EXPECT_THAT(read(ci), HasSubstr("tests/run.sh"));
+}
