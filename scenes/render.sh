@@ -3,7 +3,7 @@
 #   bash scenes/render.sh [scene folder] [render options]
 #   bash scenes/render.sh                                    the fruit juice, on the default device
 #   bash scenes/render.sh cornell_fog --passes 64            another scene, other options (build/release/tyndall render --help)
-# Writes out/<scene>.exr, .png and .json in the repository and says so. Exit code: the renderer's.
+# Writes out/<scene>.exr, .png and .json in the repository (with -o FILE.exr: there) and says so. Exit code: the renderer's.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
 
@@ -22,8 +22,13 @@ image=$repository_root/out/$(basename "$scene").exr
 
 install_packages "${build_packages[@]}"
 build_release tyndall_cli
+for option in "$@"; do
+  case $option in
+    -o | -o?* | --output | --output=*) exec "$build_folder/tyndall" render "$scene/scene.xml" "$@" ;;
+  esac
+done
 mkdir -p "$repository_root/out"
-"$build_folder/tyndall" render "$scene/scene.xml" --output "$image" "$@"
+"$build_folder/tyndall" render "$scene/scene.xml" --output "$image" "$@" >/dev/null
 say "image with all layers: $image"
 say "picture to look at:    ${image%.exr}.png"
 say "report:                ${image%.exr}.json"
