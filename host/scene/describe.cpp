@@ -1,0 +1,171 @@
+#include "scene/describe.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "scene/render_space.hpp"
+#include "scene/text.hpp"
+
+namespace tyndall {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+/// 0.6, or 0.15 0.4 1 if the channels differ.
+std::string words(const Vec3& v) { return v.x == v.y && v.y == v.z ? fmt::format("{:.6g}", v.x) : fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z); }
+std::string point_words(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
+Json json_of(const Vec3& v) { return {v.x, v.y, v.z}; }
+Json json_name(const std::string& name) { return printable(name); }
+
+std::string medium_name(const Scene& scene, int medium) { return medium == vacuum ? "vacuum" : in_quotes(scene.media[static_cast<std::size_t>(medium)].name); }
+
+const char* type_name(Bsdf::Type type)
+{
+    constexpr std::array names{"null", "diffuse", "dielectric", "conductor"};
+    return names[static_cast<std::size_t>(type)];
+}
+const char* type_name(Shape::Type type)
+{
+    constexpr std::array names{"mesh", "sphere", "disk", "cylinder"};
+    return names[static_cast<std::size_t>(type)];
+}
+const char* type_name(Emitter::Type type)
+{
+    constexpr std::array names{"point", "spot", "area", "directional", "constant"};
+    return names[static_cast<std::size_t>(type)];
+}
+
+/// Intensity back in the file's units.
+Rgb file_value(const Scene& scene, const Emitter& emitter)
+{
+    const bool by_distance = emitter.type == Emitter::Type::point || emitter.type == Emitter::Type::spot;
+    return by_distance ? emitter.value * scene.unit * scene.unit : emitter.value;
+}
+
+double diagonal(const Scene& scene) { return 2 * bounds_of(scene).radius(); }
+
+std::string camera_words(const Scene& scene)
+{
+    const Camera& camera = scene.camera;
+    std::string text = fmt::format("camera     at {}, {:.6g} degrees wide, clips {:.6g} to {:.6g}, in {}\n", point_words(to_file_space(scene, Vec3(camera.to_world[3]))),
+                                   degrees(camera.fov_x), camera.near_clip * scene.unit, camera.far_clip * scene.unit, medium_name(scene, camera.medium));
+    text += fmt::format("film       {} x {} pixels", camera.width, camera.height);
+    if (camera.crop_width != camera.width || camera.crop_height != camera.height)
+        text += fmt::format(", cropped to {} x {} at ({}, {})", camera.crop_width, camera.crop_height, camera.crop_x, camera.crop_y);
+    text += camera.filter.type == Filter::Type::box ? ", box filter\n" : fmt::format(", gaussian filter of {:.6g} pixels\n", camera.filter.stddev);
+    return text;
+}
+
+std::string medium_words(const Scene& scene, const Medium& medium)
+{
+    const std::string phase = medium.phase.type == PhaseFunction::Type::isotropic ? "isotropic" : fmt::format("Henyey-Greenstein g = {:.6g}", medium.phase.g);
+    return fmt::format("medium     {}: sigma_t {}, albedo {}, {}; optical thickness across the scene {}\n", in_quotes(medium.name), words(medium.sigma_t / scene.unit),
+                       words(medium.albedo), phase, words(medium.sigma_t * diagonal(scene)));
+}
+
+std::string shape_words(const Scene& scene, const Shape& shape)
+{
+    std::string text = fmt::format("shape      {}: ", in_quotes(shape.name));
+    if (shape.type == Shape::Type::mesh)
+        text += fmt::format("{} triangles, {}", shape.mesh.triangles.size(), !shape.mesh.closed ? "open" : shape.mesh.convex ? "closed, convex" : "closed, not convex");
+    else
+        text += type_name(shape.type);
+    text += fmt::format(", {}", type_name(scene.bsdfs[static_cast<std::size_t>(shape.bsdf)].type));
+    if (shape.flip_normals) text += ", normals flipped";
+    if (shape.emitter != none) text += ", glows";
+    if (shape.medium_boundary) text += fmt::format(", {} inside and {} outside", medium_name(scene, shape.interior), medium_name(scene, shape.exterior));
+    return text + "\n";
+}
+
+std::string emitter_words(const Scene& scene, const Emitter& emitter)
+{
+    std::string text = fmt::format("emitter    {}: {} {}", in_quotes(emitter.name), type_name(emitter.type), words(file_value(scene, emitter)));
+    if (emitter.type == Emitter::Type::point || emitter.type == Emitter::Type::spot) text += " at " + point_words(to_file_space(scene, emitter.position));
+    if (emitter.type == Emitter::Type::spot) text += fmt::format(", {:.6g} degrees with full light within {:.6g}", degrees(emitter.cutoff), degrees(emitter.beam));
+    if (emitter.type == Emitter::Type::spot || emitter.type == Emitter::Type::directional) text += " towards " + point_words(emitter.direction);
+    if (emitter.shape != none) text += " on shape " + in_quotes(scene.shapes[static_cast<std::size_t>(emitter.shape)].name);
+    return text + (emitter.medium == vacuum ? "" : ", in " + medium_name(scene, emitter.medium)) + "\n";
+}
+
+std::string bsdf_words(const Bsdf& bsdf)
+{
+    std::string text = fmt::format("bsdf       {}: {}{}", in_quotes(bsdf.name), type_name(bsdf.type), bsdf.two_sided ? ", on both sides" : "");
+    if (bsdf.type != Bsdf::Type::null) text += " reflectance " + words(bsdf.reflectance);
+    if (bsdf.type == Bsdf::Type::dielectric) text += fmt::format(", transmittance {}, relative index {:.6g}", words(bsdf.specular_transmittance), bsdf.eta);
+    if (bsdf.type == Bsdf::Type::conductor) text += fmt::format(", eta {}, k {}", words(bsdf.conductor_eta), words(bsdf.conductor_k));
+    return text + "\n";
+}
+
+Json json_medium(const Scene& scene, int medium) { return medium == vacuum ? Json() : json_name(scene.media[static_cast<std::size_t>(medium)].name); }
+
+Json camera_json(const Scene& scene)
+{
+    const Camera& camera = scene.camera;
+    return {{"position", json_of(to_file_space(scene, Vec3(camera.to_world[3])))},
+            {"fov_x_degrees", degrees(camera.fov_x)},
+            {"near_clip", camera.near_clip * scene.unit},
+            {"far_clip", camera.far_clip * scene.unit},
+            {"size", {camera.width, camera.height}},
+            {"crop", {camera.crop_x, camera.crop_y, camera.crop_width, camera.crop_height}},
+            {"filter", camera.filter.type == Filter::Type::box ? "box" : "gaussian"},
+            {"medium", json_medium(scene, camera.medium)}};
+}
+
+Json shape_json(const Scene& scene, const Shape& shape)
+{
+    Json json{{"name", json_name(shape.name)}, {"type", type_name(shape.type)}, {"bsdf", shape.bsdf}, {"flip_normals", shape.flip_normals}};
+    if (shape.type == Shape::Type::mesh)
+        json.update({{"triangles", shape.mesh.triangles.size()}, {"vertices", shape.mesh.vertices.size()}, {"closed", shape.mesh.closed}, {"convex", shape.mesh.convex}});
+    if (shape.medium_boundary) json.update({{"interior", json_medium(scene, shape.interior)}, {"exterior", json_medium(scene, shape.exterior)}});
+    return json;
+}
+
+}  // namespace
+
+std::string describe(const Scene& scene)
+{
+    const Bounds bounds = bounds_of(scene);
+    std::size_t triangles = 0;
+    for (const Shape& shape : scene.shapes) triangles += shape.mesh.triangles.size();
+    std::string text = fmt::format("scene      {}, hash {:016x}\n", in_quotes(scene.file), scene.hash);
+    text += fmt::format("bounds     {} to {}, {} shapes with {} triangles; one render-space unit is {:g}\n", point_words(to_file_space(scene, bounds.low)),
+                        point_words(to_file_space(scene, bounds.high)), scene.shapes.size(), triangles, scene.unit);
+    text += camera_words(scene);
+    text += fmt::format("integrator {}, max_depth {}\n", scene.integrator.empty() ? "(none named)" : in_quotes(scene.integrator), scene.max_depth);
+    for (const Medium& medium : scene.media) text += medium_words(scene, medium);
+    for (const Shape& shape : scene.shapes) text += shape_words(scene, shape);
+    for (const Emitter& emitter : scene.emitters) text += emitter_words(scene, emitter);
+    for (const Bsdf& bsdf : scene.bsdfs) text += bsdf_words(bsdf);
+    for (const std::string& warning : scene.warnings) text += "warning    " + warning + "\n";
+    return text;
+}
+
+std::string describe_json(const Scene& scene)
+{
+    Json json{{"schema", "tyndall-scene-info-1"}, {"file", json_name(scene.file)}, {"hash", fmt::format("{:016x}", scene.hash)}};
+    json.update({{"integrator", json_name(scene.integrator)}, {"max_depth", scene.max_depth}, {"centre", json_of(scene.centre)}, {"unit", scene.unit}});
+    json["camera"] = camera_json(scene);
+    for (const char* list : {"media", "shapes", "emitters", "bsdfs", "warnings"}) json[list] = Json::array();
+    for (const Medium& medium : scene.media)
+        json["media"].push_back({{"name", json_name(medium.name)},
+                                 {"sigma_t", json_of(medium.sigma_t / scene.unit)},
+                                 {"albedo", json_of(medium.albedo)},
+                                 {"g", medium.phase.g},
+                                 {"optical_thickness_across_scene", json_of(medium.sigma_t * diagonal(scene))}});
+    for (const Shape& shape : scene.shapes) json["shapes"].push_back(shape_json(scene, shape));
+    for (const Emitter& emitter : scene.emitters)
+        json["emitters"].push_back({{"name", json_name(emitter.name)}, {"type", type_name(emitter.type)}, {"value", json_of(file_value(scene, emitter))},
+                                    {"medium", json_medium(scene, emitter.medium)}});
+    for (const Bsdf& bsdf : scene.bsdfs)
+        json["bsdfs"].push_back({{"name", json_name(bsdf.name)}, {"type", type_name(bsdf.type)}, {"reflectance", json_of(bsdf.reflectance)}, {"two_sided", bsdf.two_sided}});
+    for (const std::string& warning : scene.warnings) json["warnings"].push_back(warning);
+    return json.dump(2);
+}
+
+}  // namespace tyndall

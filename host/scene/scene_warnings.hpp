@@ -1,0 +1,14 @@
+#pragma once
+/// What is probably not meant, though it can be rendered.
+#include "scene/scene_builder.hpp"
+
+namespace tyndall {
+
+/// A medium that nothing refers to; a container that is not closed; a camera or a light that stands in a medium without its ref; no light at all.
+void add_warnings(SceneBuilder& builder);
+
+/// The medium at `to`, found from the medium at `from` by crossing every medium boundary on the straight line between them. Needs no acceleration
+/// structure: the loader calls it once per light.
+int medium_at(const Scene& scene, const Vec3& from, int medium, const Vec3& to);
+
+}  // namespace tyndall
