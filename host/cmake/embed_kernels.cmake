@@ -1,0 +1,13 @@
+# cmake -DROOT=repository -DFILES=a,b,... -DOUTPUT=file.cpp -P embed_kernels.cmake: writes a table of (path, text) of the kernel files.
+string(REPLACE "," ";" files "${FILES}")
+set(text "// Made by host/cmake/embed_kernels.cmake.\n#include \"kernels/embedded_kernels.hpp\"\n\nnamespace tyndall {\n\nconst std::span<const EmbeddedKernel> embedded_kernels()\n{\n    static const EmbeddedKernel files[] = {\n")
+foreach(file IN LISTS files)
+  file(READ ${ROOT}/${file} content HEX)
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${content}")
+  string(MAKE_C_IDENTIFIER ${file} id)
+  string(APPEND arrays "static const unsigned char ${id}[] = {${bytes}0};\n")
+  string(APPEND text "        {\"${file}\", reinterpret_cast<const char*>(${id}), sizeof ${id} - 1},\n")
+endforeach()
+string(APPEND text "    };\n    return files;\n}\n\n}  // namespace tyndall\n")
+string(REPLACE "namespace tyndall {\n\nconst" "namespace tyndall {\n\n${arrays}\nconst" text "${text}")
+file(WRITE ${OUTPUT} "${text}")

@@ -1,0 +1,72 @@
+#include "device/device.hpp"
+
+#include <algorithm>
+
+#include "device/device_state.hpp"
+
+namespace tyndall {
+namespace {
+
+cl::CommandQueue make_queue(DeviceState& state)
+{
+    try {
+        return cl::CommandQueue(state.context, state.device, cl::QueueProperties::Profiling);
+    } catch (const cl::Error&) {
+        state.time_stamps = false;  // some drivers have none: the report then shows wall-clock times, marked as such
+        return cl::CommandQueue(state.context, state.device);
+    }
+}
+
+}  // namespace
+
+Device::Device(const std::string& request) : state_(std::make_unique<DeviceState>())
+{
+    state_->info = choose_device(request);
+    state_->device = device_at(state_->info.index);
+    on_device(*state_, "opening the device", [&] {
+        state_->context = cl::Context(state_->device);
+        state_->queue = make_queue(*state_);
+    });
+}
+
+Device::~Device() = default;
+Device::Device(Device&&) noexcept = default;
+
+const DeviceInfo& Device::info() const { return state_->info; }
+
+cl::Program build_program(DeviceState& state, const std::string& text, const std::string& options)
+{
+    cl::Program program = on_device(state, "creating a program", [&] { return cl::Program(state.context, text); });
+    try {
+        program.build(state.device, options.c_str());
+    } catch (const cl::Error& error) {
+        std::string log = "(no log)";
+        try {
+            log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(state.device);
+        } catch (const cl::Error&) {
+        }
+        throw BuildError(state.info.platform + ": " + state.info.name + ": kernels did not compile with " + opencl_error_name(error.err()) + ", options \"" + options +
+                         "\":\n" + log);
+    }
+    return program;
+}
+
+cl::Buffer& GrowingBuffer::reserve(DeviceState& state, std::size_t bytes)
+{
+    bytes = std::max<std::size_t>(bytes, 64);
+    if (bytes > size_) {
+        on_device(state, "allocating device memory", [&] { buffer_ = cl::Buffer(state.context, flags_, bytes); });
+        size_ = bytes;
+    }
+    return buffer_;
+}
+
+cl::Buffer& GrowingBuffer::upload(DeviceState& state, std::span<const std::byte> bytes)
+{
+    reserve(state, bytes.size());
+    if (!bytes.empty())
+        on_device(state, "copying to the device", [&] { state.queue.enqueueWriteBuffer(buffer_, CL_TRUE, 0, bytes.size(), bytes.data()); });
+    return buffer_;
+}
+
+}  // namespace tyndall

@@ -1,0 +1,27 @@
+#pragma once
+/// A device in use: its context, queue and what has been measured on it. Includes no OpenCL header.
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "device/device_list.hpp"
+
+namespace tyndall {
+
+struct DeviceState;  // device/device_state.hpp
+
+class Device {
+public:
+    /// Opens the device that `request` names (device_list.hpp). Throws NoDeviceError, DeviceError.
+    explicit Device(const std::string& request = "");
+    ~Device();
+    Device(Device&&) noexcept;
+
+    const DeviceInfo& info() const;
+    DeviceState& state() { return *state_; }
+
+private:
+    std::unique_ptr<DeviceState> state_;
+};
+
+}  // namespace tyndall

@@ -1,0 +1,91 @@
+#pragma once
+/// What the device does with pairs of a light and an eye: everything but visibility. Includes no OpenCL header.
+///
+/// Eyes are groups of `lanes` neighbours; lights come in blocks of `light_block`. Whatever the tiles, every eye adds its lights in the same blocks and order.
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "device/device.hpp"
+#include "kernels/shared/records.hpp"
+
+namespace tyndall {
+
+inline constexpr std::uint32_t light_block = 256;
+inline constexpr std::uint32_t eye_alignment = 16;  ///< the number of eyes is a multiple of this: pad with eyes of no throughput
+
+enum class EyeKind { segments, points };
+
+struct PairProgram {
+    std::string light = "virtual_ray_light";  ///< file in kernels/lights
+    EyeKind eyes = EyeKind::segments;
+    std::uint32_t features = 0;               ///< mask of kernels/shared/scene_features.h
+    int lanes = 16;
+    std::uint32_t samples = 1;                ///< per pair; contributions are their sum
+};
+
+/// Tables that do not change during a render.
+struct MediaTables {
+    std::vector<MediumRecord> media;
+    std::vector<ContainerRecord> containers;
+    std::vector<PlaneRecord> planes;
+};
+
+/// A rectangle of pairs. With shadow segments its lights lie in one block; first_group x lanes is a multiple of the packet size.
+struct PairTile {
+    std::uint32_t first_group = 0, groups = 0, first_light = 0, lights = 0;
+};
+
+/// A sampled tile as the host sees it: one packet per 16 eyes and pair, in rows of 16 eyes; contributions [group][pair][r g b][lane].
+struct SampledTile {
+    std::span<ShadowPacket> packets;
+    std::span<float> contributions;
+};
+
+struct PairLedger {
+    std::uint32_t not_finite = 0, first_eye = 0, first_counter = 0;
+};
+
+struct PairTimings {
+    double gather = 0, sample = 0, accumulate = 0, largest_launch = 0;  ///< seconds on the device
+    std::uint64_t launches = 0;
+};
+
+/// "-cl-std=CL1.2 -DLANES=16 ...": the build options of a program; part of the report.
+std::string build_options(const PairProgram& program);
+
+class PairStage {
+public:
+    /// Compiles (or takes from the driver's cache) the program's kernels: gather only if nothing can occlude, sample and accumulate otherwise.
+    PairStage(Device& device, const PairProgram& program, const MediaTables& tables);
+    ~PairStage();
+    PairStage(PairStage&&) noexcept;
+
+    /// Starts a set of eyes and lights: raw records, sums at zero. vertex_limit: at most so many scattering vertices on a path (ignored without DEPTH_LIMIT).
+    void begin(std::span<const std::byte> eyes, std::uint32_t eye_count, std::span<const std::byte> lights, std::uint32_t light_count, std::uint32_t vertex_limit);
+    std::uint32_t groups() const;
+
+    /// Without occluders: adds a tile (first_light a multiple of light_block). Returns before it is done.
+    void gather(const PairTile& tile);
+
+    /// With occluders, in two slots 0 and 1: sample writes contributions and shadow segments; the host answers them between `sampled` and `accumulate`.
+    void sample(int slot, const PairTile& tile);
+    SampledTile sampled(int slot);
+    void accumulate(int slot);
+
+    /// Waits; r, g, b per eye, sums over lights and samples.
+    std::vector<double> sums();
+    PairLedger ledger() const;
+    PairTimings timings() const;
+    /// The build options of its program.
+    std::string options() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace tyndall

@@ -1,0 +1,153 @@
+#include "eye_tracing/eye_tracing.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "transport/bsdf.hpp"
+#include "transport/camera.hpp"
+#include "transport/medium.hpp"
+#include "transport/opaque_distance.hpp"
+#include "transport/random_sequence.hpp"
+
+namespace tyndall {
+namespace {
+
+constexpr int roulette_depth = 8;      ///< mirrors and glass before Russian roulette begins
+constexpr double most_survival = .95;  ///< so that total internal reflection ends
+
+double largest(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
+float f(double x) { return static_cast<float>(x); }
+
+struct Row {
+    std::vector<EyeSegment> segments;
+    std::vector<EyePoint> points;
+};
+
+/// The camera path of one pixel.
+class EyePath {
+public:
+    EyePath(const Scene& scene, const Visibility& visibility, const EyeTracingSettings& settings, EyeRecords& all, Row& row, int x, int y)
+        : scene_(scene),
+          visibility_(visibility),
+          settings_(settings),
+          features_(all.features),
+          row_(row),
+          pixel_(static_cast<uint>(y * scene.camera.crop_width + x)),
+          random_(settings.seed, settings.pass, RandomStream::pairs, pixel_)
+    {
+        const CameraSample start = sample_camera(scene.camera, x, y, settings.seed, settings.pass);
+        ray_ = start.ray, medium_ = start.medium, along_axis_ = glm::dot(start.ray.direction, Vec3(scene.camera.to_world[2])), near_ = start.near;
+    }
+
+    void trace()
+    {
+        for (bool first = true; largest(throughput_) > 0; first = false) {
+            const RayWalk walk = visibility_.walk(ray_, medium_);
+            if (first) note_features(walk);
+            if (!may_scatter()) return;
+            add_segments(walk);
+            if (!walk.found) return;
+            throughput_ *= transmittance_of(scene_, walk.pieces);
+            if (!specular(bsdf_of(scene_, walk.surface))) return add_point(walk);
+            if (!pass_specular(walk)) return;
+        }
+    }
+
+private:
+    /// x1 and x2 are still to come.
+    bool may_scatter() const { return settings_.max_depth < 0 || depth_ + 2 <= settings_.max_depth - 1; }
+
+    uint next_key() { return static_cast<uint>(random_.next() * 4294967296.0); }
+
+    void note_features(const RayWalk& walk)
+    {
+        if (walk.found) {
+            features_.depth[pixel_] = (near_ + glm::dot(walk.surface.position - ray_.origin, ray_.direction)) * along_axis_ * scene_.unit;
+            const double side = glm::dot(walk.surface.shading_normal, ray_.direction) < 0 ? 1 : -1;
+            features_.normal[pixel_] = side * walk.surface.shading_normal;
+            features_.albedo[pixel_] = diffuse_reflectance(scene_, walk.surface, ray_.direction);
+        }
+        for (const MediumPiece& piece : walk.pieces)
+            if (piece.medium != vacuum && scene_.media[static_cast<std::size_t>(piece.medium)].sigma_t != Rgb(0)) {
+                features_.albedo[pixel_] = scene_.media[static_cast<std::size_t>(piece.medium)].albedo;
+                return;
+            }
+    }
+
+    void add_segments(const RayWalk& walk)
+    {
+        if (!settings_.segments) return;
+        Rgb throughput = throughput_;
+        for (const MediumPiece& piece : walk.pieces) {
+            if (piece.medium == vacuum) continue;
+            const Medium& medium = scene_.media[static_cast<std::size_t>(piece.medium)];
+            const double length = std::min(piece.t1 - piece.t0, opaque_distance(medium));
+            const Vec3 origin = ray_.origin + piece.t0 * ray_.direction, d = ray_.direction;
+            if (length > 0 && largest(throughput * medium.sigma_s()) > 0)
+                row_.segments.push_back({f(origin.x), f(origin.y), f(origin.z), f(length), f(d.x), f(d.y), f(d.z), static_cast<uint>(piece.medium), f(throughput.r),
+                                         f(throughput.g), f(throughput.b), static_cast<uint>(depth_), pixel_, next_key(), 0, 0});
+            throughput *= glm::exp(-medium.sigma_t * (piece.t1 - piece.t0));
+        }
+    }
+
+    void add_point(const RayWalk& walk)
+    {
+        const Rgb reflected = throughput_ * diffuse_reflectance(scene_, walk.surface, ray_.direction) * std::numbers::inv_pi;
+        if (!settings_.points || largest(reflected) == 0) return;
+        const double side = glm::dot(walk.surface.geometric_normal, ray_.direction) < 0 ? 1 : -1;
+        const Vec3 facing = side * walk.surface.geometric_normal, normal = side * walk.surface.shading_normal;
+        const Vec3 position = visibility_.leave(walk.surface, facing);
+        row_.points.push_back({f(position.x), f(position.y), f(position.z), walk.medium == vacuum ? NO_MEDIUM : static_cast<uint>(walk.medium), f(normal.x), f(normal.y),
+                               f(normal.z), static_cast<uint>(depth_), f(reflected.r), f(reflected.g), f(reflected.b), pixel_, f(facing.x), f(facing.y), f(facing.z),
+                               next_key()});
+    }
+
+    bool pass_specular(const RayWalk& walk)
+    {
+        const BsdfSample next = sample_bsdf(scene_, {.hit = walk.surface, .in = ray_.direction}, random_.next2());
+        throughput_ *= next.weight;
+        if (++depth_ >= roulette_depth) {
+            const double survival = std::min(largest(throughput_), most_survival);
+            if (random_.next() >= survival) return false;
+            throughput_ /= survival;
+        }
+        medium_ = visibility_.medium_behind(walk.surface, next.direction, walk.medium);
+        ray_ = {.origin = visibility_.leave(walk.surface, next.direction), .direction = next.direction, .t_max = ray_.t_max};
+        return true;
+    }
+
+    const Scene& scene_;
+    const Visibility& visibility_;
+    const EyeTracingSettings& settings_;
+    PixelFeatures& features_;
+    Row& row_;
+    uint pixel_;
+    RandomSequence random_;
+    Ray ray_;
+    int medium_ = vacuum, depth_ = 0;
+    double along_axis_ = 1, near_ = 0;
+    Rgb throughput_{1};
+};
+
+}  // namespace
+
+EyeRecords trace_eyes(const Scene& scene, const Visibility& visibility, const EyeTracingSettings& settings)
+{
+    const int width = scene.camera.crop_width, height = scene.camera.crop_height;
+    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    EyeRecords all;
+    all.features = {std::vector<Rgb>(pixels, Rgb(0)), std::vector<Vec3>(pixels, Vec3(0)), std::vector<double>(pixels, 0)};
+    std::vector<Row> rows(static_cast<std::size_t>(height));
+    tbb::parallel_for(0, height, [&](int y) {
+        for (int x = 0; x < width; ++x) EyePath(scene, visibility, settings, all, rows[static_cast<std::size_t>(y)], x, y).trace();
+    });
+    for (const Row& row : rows) {
+        all.segments.insert(all.segments.end(), row.segments.begin(), row.segments.end());
+        all.points.insert(all.points.end(), row.points.begin(), row.points.end());
+    }
+    return all;
+}
+
+}  // namespace tyndall

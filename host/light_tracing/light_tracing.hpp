@@ -1,0 +1,33 @@
+#pragma once
+/// Light paths from every emitter through surfaces and media, and the virtual lights that they leave.
+#include <cstdint>
+#include <vector>
+
+#include "lights/light_technique.hpp"
+#include "scene/scene.hpp"
+#include "tyndall/settings.hpp"
+#include "visibility/visibility.hpp"
+
+namespace tyndall {
+
+struct LightTracingSettings {
+    std::uint64_t seed = 1, pass = 0;
+    std::uint64_t paths = 0;           ///< light paths in this pass; fixed before the first is traced, so that their mean is unbiased
+    int max_depth = -1;                ///< of whole paths: lights that no camera path could use are not left
+    LightSegments light_segments = LightSegments::all;
+    SegmentLength segment_length = SegmentLength::long_;
+    bool pilot = false;                ///< count only, from numbers of its own
+};
+
+struct VirtualLights {
+    std::vector<std::byte> records;    ///< of technique.record_bytes each, in the order of the paths
+    std::uint32_t count = 0;
+};
+
+/// Traces the paths and deposits their segments. The result does not depend on the number of threads.
+VirtualLights trace_lights(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, const LightTracingSettings& settings);
+
+/// How many paths leave about `lights` virtual lights in a pass: from a pilot of its own, the same for every pass. At least 1.
+std::uint64_t paths_for(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, LightTracingSettings settings, std::uint32_t lights);
+
+}  // namespace tyndall

@@ -1,0 +1,35 @@
+/// Virtual ray lights on the host: each straight piece of a light path inside a medium that scatters becomes one.
+#include "lights/light_technique.hpp"
+// The kernels' macros come after everything that is not theirs.
+#include "kernels/shared/records.hpp"
+// clang-format off
+#include "kernels/dialect_host.hpp"
+// clang-format on
+
+namespace tyndall {
+namespace maths_float {
+#include "kernels/lights/virtual_ray_light.h"
+}
+namespace {
+
+void deposit_virtual_ray_light(const LightPathSegment& s, std::vector<std::byte>& records)
+{
+    const auto f = [](double x) { return static_cast<float>(x); };
+    append_record(maths_float::VirtualRayLight{f(s.origin.x), f(s.origin.y), f(s.origin.z), f(s.length), f(s.direction.x), f(s.direction.y), f(s.direction.z),
+                                               static_cast<uint>(s.medium), f(s.flux.r), f(s.flux.g), f(s.flux.b), static_cast<uint>(s.depth), f(s.channel.r),
+                                               f(s.channel.g), f(s.channel.b), s.is_short ? 1u : 0u},
+                  records);
+}
+
+}  // namespace
+
+LightTechnique virtual_ray_light_technique()
+{
+    return {.name = "virtual_ray_light",
+            .title = "virtual ray lights",
+            .record_bytes = sizeof(maths_float::VirtualRayLight),
+            .unbiased = true,
+            .deposit = deposit_virtual_ray_light};
+}
+
+}  // namespace tyndall

@@ -1,0 +1,33 @@
+#include "pipeline/check_settings.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "tyndall/error.hpp"
+
+namespace tyndall {
+namespace {
+
+void require(bool holds, const std::string& sentence)
+{
+    if (!holds) throw UsageError(sentence);
+}
+
+}  // namespace
+
+void check_settings(const RenderSettings& s)
+{
+    constexpr std::uint32_t most_lights = 1u << 24;
+    require(s.passes > 0 || s.seconds > 0, "nothing says when to stop: give passes or a time");
+    require(s.passes >= 0, "passes = " + std::to_string(s.passes) + " must not be negative");
+    require(std::isfinite(s.seconds) && s.seconds >= 0, "time must be a finite number of seconds, not negative");
+    require(s.lights <= most_lights, "lights = " + std::to_string(s.lights) + " per pass is more than " + std::to_string(most_lights) + "; use more passes instead");
+    require(s.lanes == 0 || s.lanes == 1 || s.lanes == 4 || s.lanes == 8 || s.lanes == 16, "lanes = " + std::to_string(s.lanes) + " must be 1, 4, 8 or 16 (0: by rule)");
+    require(s.threads >= 0 && s.threads <= 1024, "threads = " + std::to_string(s.threads) + " must lie between 0 (all) and 1024");
+    require(s.max_depth.value_or(-1) >= -1, "max depth = " + std::to_string(s.max_depth.value_or(-1)) + " must be -1 (no limit) or at least 0");
+    require(s.tile_pairs <= 1u << 28, "tile = " + std::to_string(s.tile_pairs) + " pairs is more than " + std::to_string(1u << 28));
+    require(s.samples_per_pair >= 1 && s.samples_per_pair <= 256, "samples per pair = " + std::to_string(s.samples_per_pair) + " must lie between 1 and 256");
+    require(!s.layers.empty(), "no layer is left to render");
+}
+
+}  // namespace tyndall

@@ -1,0 +1,69 @@
+#include "pipeline/layer_plan.hpp"
+
+#include <algorithm>
+
+namespace tyndall {
+namespace {
+
+/// What a layer needs that the scene does not have; empty if it can contribute.
+std::string missing_for(Layer layer, const Scene& scene, const SceneFeatures& features)
+{
+    if (scene.emitters.empty()) return "the scene has no light";
+    const bool sub_layer = static_cast<std::size_t>(layer) > static_cast<std::size_t>(Layer::media_to_surface);
+    if (sub_layer) {
+        if (!features.specular_surfaces) return "the scene has no mirror or glass";
+        return missing_for(static_cast<Layer>(static_cast<std::size_t>(layer) - 6), scene, features);
+    }
+    const bool needs_media = layer == Layer::single || layer == Layer::surface_to_media || layer == Layer::media_to_media || layer == Layer::media_to_surface;
+    const bool needs_surfaces = layer == Layer::surface_direct || layer == Layer::surface_indirect || layer == Layer::media_to_surface;
+    if (needs_media && !features.scattering_media) return "no medium of the scene scatters";
+    if (needs_surfaces && !features.receiving_surfaces) return "no surface of the scene reflects diffusely";
+    if (layer == Layer::surface_to_media && !features.receiving_surfaces && !features.specular_surfaces) return "no surface of the scene reflects";
+    return {};
+}
+
+std::string technique_for(Layer layer, Method method)
+{
+    if (method == Method::path) return "path tracing";
+    switch (layer) {
+        case Layer::emitted: return "camera ray";
+        case Layer::surface_direct: return "next-event estimation";
+        case Layer::single: return "equi-angular light sampling";
+        case Layer::media_to_media:
+        case Layer::media_to_surface: return "virtual ray lights";
+        default: return "path tracing";
+    }
+}
+
+}  // namespace
+
+LayerSet LayerPlan::rendered() const
+{
+    LayerSet set = path_traced;
+    if (media_to_media) set.add(Layer::media_to_media);
+    if (media_to_surface) set.add(Layer::media_to_surface);
+    if (single) set.add(Layer::single);
+    return set;
+}
+
+LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const RenderSettings& settings)
+{
+    LayerPlan plan;
+    for (std::size_t l = 0; l < layer_count; ++l) {
+        const Layer layer = static_cast<Layer>(l);
+        LayerReport report{.layer = std::string(name(layer)), .technique = technique_for(layer, settings.method)};
+        report.why = settings.layers.contains(layer) ? missing_for(layer, scene, features) : "turned off";
+        report.skipped = !report.why.empty();
+        if (report.skipped) report.technique = "skipped";
+        plan.reports.push_back(report);
+        if (report.skipped) continue;
+        const bool vrl = settings.method == Method::vrl;
+        if (vrl && layer == Layer::media_to_media) plan.media_to_media = true;
+        else if (vrl && layer == Layer::media_to_surface) plan.media_to_surface = true;
+        else if (vrl && layer == Layer::single) plan.single = true;
+        else plan.path_traced.add(layer);
+    }
+    return plan;
+}
+
+}  // namespace tyndall

@@ -1,0 +1,176 @@
+#include "pipeline/pass_renderer.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "kernels/shared/host_features.hpp"
+#include "path_tracing/path_tracing.hpp"
+#include "path_tracing/single_scattering.hpp"
+#include "pipeline/light_budget.hpp"
+#include "pipeline/media_tables.hpp"
+#include "tyndall/error.hpp"
+
+namespace tyndall {
+namespace {
+
+constexpr std::size_t eye_chunk = 1u << 19;  ///< eyes on the device at a time: 32 MiB of records
+
+bool needs_device(const LayerPlan& plan) { return plan.virtual_lights(); }
+
+int lanes_of(const RenderSettings& settings, const Device& device) { return settings.lanes ? settings.lanes : device.info().default_lanes; }
+
+/// Records padded with copies that carry nothing, so that groups of lanes are full.
+template <typename Eye>
+std::vector<Eye> padded(std::span<const Eye> eyes)
+{
+    std::vector<Eye> all(eyes.begin(), eyes.end());
+    while (all.size() % eye_alignment != 0) {
+        all.push_back(all.back());
+        all.back().throughput_r = all.back().throughput_g = all.back().throughput_b = 0;
+    }
+    return all;
+}
+
+template <typename Eye>
+EyeBatch batch_of(const std::vector<Eye>& eyes)
+{
+    EyeBatch batch{std::as_bytes(std::span(eyes)), static_cast<std::uint32_t>(eyes.size()), {}};
+    for (const Eye& eye : eyes) batch.media.push_back(eye.medium == NO_MEDIUM ? vacuum : static_cast<int>(eye.medium));
+    return batch;
+}
+
+}  // namespace
+
+template <typename Work>
+auto StageClock::time(const std::string& stage, Work&& work)
+{
+    const auto start = std::chrono::steady_clock::now();
+    struct AtEnd {
+        StageClock& clock;
+        const std::string& stage;
+        std::chrono::steady_clock::time_point start;
+        ~AtEnd() { clock.add(stage, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 1); }
+    } at_end{*this, stage, start};
+    return work();
+}
+
+void StageClock::add(const std::string& stage, double seconds, std::uint64_t count)
+{
+    auto found = std::find_if(stages_.begin(), stages_.end(), [&](const StageTime& s) { return s.stage == stage; });
+    if (found == stages_.end()) found = stages_.insert(found, StageTime{stage});
+    found->seconds += seconds, found->count += count;
+}
+
+PassRenderer::PassRenderer(const Scene& scene, const RenderSettings& settings)
+    : scene_(scene),
+      settings_(settings),
+      max_depth_(settings.max_depth.value_or(scene.max_depth)),
+      features_(features_of(scene, settings.segment_length == SegmentLength::short_, max_depth_)),
+      plan_(plan_layers(scene, features_, settings)),
+      visibility_(scene, settings.threads),
+      technique_(light_technique("virtual_ray_light"))
+{
+    if (needs_device(plan_)) prepare_lights();
+}
+
+void PassRenderer::prepare_lights()
+{
+    device_.emplace(settings_.device);
+    if (plan_.media_to_media) to_segments_ = make_connector(EyeKind::segments, features_.media_to_media);
+    if (plan_.media_to_surface) to_points_ = make_connector(EyeKind::points, features_.media_to_surface);
+    const std::uint32_t lights = settings_.lights ? settings_.lights : default_lights(scene_.camera, settings_.seconds);
+    light_paths_ = clock_.time("pilot", [&] {
+        return paths_for(scene_, visibility_, technique_,
+                         {.seed = settings_.seed, .max_depth = max_depth_, .light_segments = settings_.light_segments, .segment_length = settings_.segment_length}, lights);
+    });
+}
+
+std::unique_ptr<PassRenderer::Connector> PassRenderer::make_connector(EyeKind kind, std::uint32_t features)
+{
+    const int lanes = lanes_of(settings_, *device_);
+    const std::uint32_t samples = static_cast<std::uint32_t>(settings_.samples_per_pair);
+    const PairProgram program{.light = std::string(technique_.name), .eyes = kind, .features = features, .lanes = lanes, .samples = samples};
+    const std::uint32_t limit = max_depth_ < 0 ? 0xffffffffu : static_cast<std::uint32_t>(std::max(max_depth_ - 1, 0));
+    const ConnectSettings connect{.features = features, .samples = samples, .vertex_limit = limit, .tile_pairs = settings_.tile_pairs, .lanes = lanes};
+    return clock_.time("build_kernels", [&] { return std::make_unique<Connector>(PairStage(*device_, program, media_tables(scene_, features_)), connect); });
+}
+
+void PassRenderer::connect(Connector& connector, const EyeRecords& eyes, EyeKind kind, const VirtualLights& lights, std::vector<Rgb>& image)
+{
+    const auto add = [&](const auto& records) {
+        for (std::size_t first = 0; first < records.size(); first += eye_chunk) {
+            const auto chunk = std::span(records).subspan(first, std::min(eye_chunk, records.size() - first));
+            const auto eyes_here = padded(chunk);
+            const std::vector<double> sums = connect_pairs(connector.stage, visibility_, batch_of(eyes_here), {lights.records, lights.count}, connector.settings, counts_);
+            for (std::size_t i = 0; i < chunk.size(); ++i)
+                image[chunk[i].pixel] += Rgb(sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]) / double(settings_.samples_per_pair);
+        }
+    };
+    if (kind == EyeKind::segments) add(eyes.segments);
+    else add(eyes.points);
+}
+
+void PassRenderer::add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image)
+{
+    if (!plan_.virtual_lights()) return;
+    const VirtualLights lights = clock_.time("trace_lights", [&] {
+        return trace_lights(scene_, visibility_, technique_,
+                            {.seed = settings_.seed, .pass = pass, .paths = light_paths_, .max_depth = max_depth_, .light_segments = settings_.light_segments,
+                             .segment_length = settings_.segment_length});
+    });
+    virtual_lights_ += lights.count, eye_segments_ += eyes.segments.size(), eye_points_ += eyes.points.size();
+    if (to_segments_) clock_.time("media_to_media", [&] { connect(*to_segments_, eyes, EyeKind::segments, lights, image[Layer::media_to_media]); });
+    if (to_points_) clock_.time("media_to_surface", [&] { connect(*to_points_, eyes, EyeKind::points, lights, image[Layer::media_to_surface]); });
+}
+
+void PassRenderer::add_host_layers(std::uint64_t pass, PassImage& image)
+{
+    const PathTracingSettings settings{.seed = settings_.seed, .pass = pass, .max_depth = max_depth_, .layers = plan_.path_traced};
+    if (!plan_.path_traced.empty()) clock_.time("trace_paths", [&] { trace_paths(scene_, visibility_, settings, image); });
+    if (plan_.single) clock_.time("single", [&] { trace_single(scene_, visibility_, settings, image); });
+}
+
+PassResult PassRenderer::render(std::uint64_t pass)
+{
+    PassResult result{PassImage(scene_.camera.crop_width, scene_.camera.crop_height, plan_.rendered()), {}};
+    const EyeTracingSettings wanted{.seed = settings_.seed, .pass = pass, .max_depth = max_depth_, .segments = plan_.media_to_media, .points = plan_.media_to_surface};
+    EyeRecords eyes = clock_.time("trace_eyes", [&] { return trace_eyes(scene_, visibility_, wanted); });
+    add_virtual_lights(pass, eyes, result.image);
+    add_host_layers(pass, result.image);
+    result.features = std::move(eyes.features);
+    return result;
+}
+
+void PassRenderer::fill(Report& report) const
+{
+    report.layers = plan_.reports;
+    report.max_depth = max_depth_;
+    report.light_paths = light_paths_, report.virtual_lights = virtual_lights_;
+    report.eye_segments = eye_segments_, report.eye_points = eye_points_;
+    report.pairs = counts_.pairs, report.shadow_segments = counts_.shadow_segments;
+    report.stages = clock_.stages();
+    report.ledger.runaway_walks = visibility_.runaway_walks();
+    report.ledger.unsafe_shadow_segments = visibility_.invalid_rays();
+    for (const SceneFeature& feature : scene_feature_list) report.effects.emplace_back(feature.name, (features_.mask() & feature.bit) != 0);
+    report.effects.emplace_back("SCATTERING_MEDIA", features_.scattering_media), report.effects.emplace_back("RECEIVING_SURFACES", features_.receiving_surfaces);
+    report.effects.emplace_back("SPECULAR_SURFACES", features_.specular_surfaces);
+    if (!device_) return;
+    report.device = device_->info().platform + ": " + device_->info().name, report.driver = device_->info().driver;
+    for (const auto* connector : {to_segments_.get(), to_points_.get()}) {
+        if (!connector) continue;
+        const PairTimings timings = connector->stage.timings();
+        const PairLedger ledger = connector->stage.ledger();
+        const char* layer = connector == to_segments_.get() ? "media_to_media" : "media_to_surface";
+        report.lanes = connector->settings.lanes, report.launches += timings.launches;
+        report.largest_launch_seconds = std::max(report.largest_launch_seconds, timings.largest_launch);
+        report.build_options += (report.build_options.empty() ? "" : "; ") + std::string(layer) + ": " + connector->stage.options();
+        report.ledger.not_finite_pairs += ledger.not_finite;
+        if (ledger.not_finite)
+            report.ledger.first_cases.push_back(std::string(layer) + ": eye " + std::to_string(ledger.first_eye) + ", light sample " + std::to_string(ledger.first_counter));
+        for (const auto& [stage, seconds] : {std::pair("gather_lights", timings.gather), std::pair("sample_pairs", timings.sample), std::pair("accumulate_pairs", timings.accumulate)})
+            if (seconds > 0) report.stages.push_back({std::string(layer) + "." + stage, seconds, timings.launches});
+    }
+    if (counts_.shadow_segments) report.stages.push_back({"shadow_segments", counts_.visibility_seconds, counts_.shadow_segments});
+}
+
+}  // namespace tyndall

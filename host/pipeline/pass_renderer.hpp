@@ -1,0 +1,72 @@
+#pragma once
+/// One pass: an independent set of light paths and one camera sample per pixel.
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "device/pair_stage.hpp"
+#include "eye_tracing/eye_tracing.hpp"
+#include "film/pass_image.hpp"
+#include "light_tracing/light_tracing.hpp"
+#include "pipeline/layer_plan.hpp"
+#include "tiling/connect_pairs.hpp"
+
+namespace tyndall {
+
+struct PassResult {
+    PassImage image;
+    PixelFeatures features;
+};
+
+/// Seconds and counts per stage, over all passes so far.
+class StageClock {
+public:
+    /// Runs `work` and adds its time to `stage`.
+    template <typename Work>
+    auto time(const std::string& stage, Work&& work);
+    void add(const std::string& stage, double seconds, std::uint64_t count);
+    std::vector<StageTime> stages() const { return stages_; }
+
+private:
+    std::vector<StageTime> stages_;
+};
+
+class PassRenderer {
+public:
+    /// Opens the device and compiles kernels only if the plan has virtual lights. Throws NoDeviceError, DeviceError.
+    PassRenderer(const Scene& scene, const RenderSettings& settings);
+
+    PassResult render(std::uint64_t pass);
+    const LayerPlan& plan() const { return plan_; }
+    const SceneFeatures& features() const { return features_; }
+    /// Adds everything that was counted and timed.
+    void fill(Report& report) const;
+
+private:
+    struct Connector {
+        PairStage stage;
+        ConnectSettings settings;
+    };
+    void prepare_lights();
+    std::unique_ptr<Connector> make_connector(EyeKind kind, std::uint32_t features);
+    void connect(Connector& connector, const EyeRecords& eyes, EyeKind kind, const VirtualLights& lights, std::vector<Rgb>& image);
+    void add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image);
+    void add_host_layers(std::uint64_t pass, PassImage& image);
+
+    const Scene& scene_;
+    RenderSettings settings_;
+    int max_depth_;
+    SceneFeatures features_;
+    LayerPlan plan_;
+    Visibility visibility_;
+    const LightTechnique& technique_;
+    std::optional<Device> device_;
+    std::unique_ptr<Connector> to_segments_, to_points_;
+    std::uint64_t light_paths_ = 0;
+    StageClock clock_;
+    ConnectCounts counts_;
+    std::uint64_t virtual_lights_ = 0, eye_segments_ = 0, eye_points_ = 0;
+};
+
+}  // namespace tyndall

@@ -1,0 +1,78 @@
+#include "pipeline/render.hpp"
+
+#include <tbb/global_control.h>
+
+#include <chrono>
+#include <optional>
+#include <thread>
+
+#include "film/error_estimate.hpp"
+#include "path_tracing/path_tracing.hpp"
+#include "pipeline/check_settings.hpp"
+#include "pipeline/pass_renderer.hpp"
+
+namespace tyndall {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+/// Would one more pass of the usual length end after the budget?
+bool time_is_up(const RenderSettings& settings, int passes, double seconds)
+{
+    return settings.seconds > 0 && passes > 0 && seconds + seconds / passes > settings.seconds;
+}
+
+Progress progress_of(const RenderSettings& settings, const Film& film, double seconds)
+{
+    Progress p{.passes_done = film.passes(), .passes_wanted = settings.passes, .seconds = seconds, .error = estimated_error(film)};
+    const double by_passes = settings.passes > 0 ? seconds / film.passes() * (settings.passes - film.passes()) : 1e300;
+    const double by_time = settings.seconds > 0 ? std::max(settings.seconds - seconds, 0.0) : 1e300;
+    p.seconds_left = std::min(by_passes, by_time);
+    return p;
+}
+
+Report report_of(const Scene& scene, const RenderSettings& settings, const PassRenderer& renderer, const Film& film, double seconds)
+{
+    Report report{.scene = scene.file, .method = settings.method == Method::path ? "path" : "vrl"};
+    report.scene_hash = scene.hash, report.seed = settings.seed;
+    report.width = film.width(), report.height = film.height(), report.passes = film.passes();
+    report.threads = settings.threads ? settings.threads : static_cast<int>(std::thread::hardware_concurrency());
+    report.seconds = seconds, report.pass_seconds = film.passes() ? seconds / film.passes() : 0;
+    report.error = estimated_error(film);
+    report.warnings = scene.warnings;
+    for (std::string& sentence : uncarried_light(scene)) report.warnings.push_back(std::move(sentence));
+    renderer.fill(report);
+    return report;
+}
+
+}  // namespace
+
+RenderOutcome render(const Scene& scene, const RenderSettings& settings, const ProgressCallback& progress)
+{
+    check_settings(settings);
+    std::optional<tbb::global_control> threads;
+    if (settings.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(settings.threads));
+    PassRenderer renderer(scene, settings);
+    Film film(scene.camera.crop_width, scene.camera.crop_height, renderer.plan().rendered());
+    const Clock::time_point start = Clock::now();
+    std::string stopped_by = "passes";
+    for (std::uint64_t pass = 0; settings.passes == 0 || pass < static_cast<std::uint64_t>(settings.passes); ++pass) {
+        if (time_is_up(settings, film.passes(), seconds_since(start))) {
+            stopped_by = "time";
+            break;
+        }
+        const PassResult result = renderer.render(pass);
+        film.add_pass(result.image, &result.features);
+        if (progress && !progress(progress_of(settings, film, seconds_since(start)), film)) {
+            stopped_by = "interrupt";
+            break;
+        }
+    }
+    Report report = report_of(scene, settings, renderer, film, seconds_since(start));
+    report.stopped_by = stopped_by;
+    return {std::move(film), std::move(report)};
+}
+
+}  // namespace tyndall

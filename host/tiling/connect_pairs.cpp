@@ -1,0 +1,94 @@
+#include "tiling/connect_pairs.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <limits>
+
+#include "kernels/shared/host_features.hpp"
+
+namespace tyndall {
+namespace {
+
+constexpr std::uint32_t fused_pairs = 4u << 20;   ///< per launch: 20-100 ms on a CPU device
+constexpr std::uint32_t shadowed_pairs = 1u << 15;  ///< per tile: packets and contributions stay in a core's cache
+
+/// Tiles in the order in which they are summed: blocks of lights in order, for each block all eyes.
+std::vector<PairTile> tiles_of(std::uint32_t groups, std::uint32_t lights, const ConnectSettings& settings)
+{
+    const bool fused = (settings.features & feature_bit::occluders) == 0;
+    const std::uint32_t lanes = static_cast<std::uint32_t>(settings.lanes), aligned = eye_alignment / lanes;
+    const std::uint32_t wanted = std::max(settings.tile_pairs ? settings.tile_pairs : fused ? fused_pairs : shadowed_pairs, 1u) / settings.samples;
+    const std::uint32_t most_eyes = fused ? 1u << 14 : std::max(wanted / light_block, eye_alignment);
+    const std::uint32_t tile_groups = std::max(std::min(groups, most_eyes / lanes) / aligned * aligned, aligned);
+    const std::uint32_t tile_lights = fused ? std::max(wanted / (tile_groups * lanes) / light_block, 1u) * light_block : light_block;
+    std::vector<PairTile> tiles;
+    for (std::uint32_t light = 0; light < lights; light += tile_lights)
+        for (std::uint32_t group = 0; group < groups; group += tile_groups)
+            tiles.push_back({group, std::min(tile_groups, groups - group), light, std::min(tile_lights, lights - light)});
+    return tiles;
+}
+
+/// Multiplies the contributions of one packet by the transmittance of their connections, through null boundaries.
+std::uint64_t walk_packet(const Visibility& visibility, const ShadowPacket& packet, std::span<const int> media, std::span<float> contributions, std::size_t lanes,
+                          std::size_t first, std::size_t group_stride)
+{
+    std::uint64_t asked = 0;
+    for (std::size_t i = 0; i < SHADOW_PACKET_SIZE; ++i) {
+        if (packet.tfar[i] < packet.tnear[i]) continue;
+        ++asked;
+        const Vec3 from{packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]};
+        const Vec3 to = from + Vec3{packet.direction_x[i], packet.direction_y[i], packet.direction_z[i]};
+        const Rgb through = visibility.transmittance(from, media[i], to);
+        for (std::size_t c = 0; c < 3; ++c) contributions[first + i / lanes * group_stride + c * lanes + i % lanes] *= static_cast<float>(through[static_cast<int>(c)]);
+    }
+    return asked;
+}
+
+/// Answers a tile's shadow segments; returns how many were asked.
+std::uint64_t answer(const Visibility& visibility, const SampledTile& sampled, const PairTile& tile, const EyeBatch& eyes, const ConnectSettings& settings)
+{
+    const std::size_t lanes = static_cast<std::size_t>(settings.lanes), pairs = std::size_t(tile.lights) * settings.samples;
+    std::atomic<std::uint64_t> asked{0};
+    if (settings.features & feature_bit::nonconvex_media) {
+        tbb::parallel_for(std::size_t(0), sampled.packets.size(), [&](std::size_t p) {
+            const std::size_t row = p / pairs, pair = p % pairs, group = row * SHADOW_PACKET_SIZE / lanes;
+            const std::span<const int> media(eyes.media.data() + std::size_t(tile.first_group) * lanes + row * SHADOW_PACKET_SIZE, SHADOW_PACKET_SIZE);
+            asked += walk_packet(visibility, sampled.packets[p], media, sampled.contributions, lanes, (group * pairs + pair) * 3 * lanes, pairs * 3 * lanes);
+        });
+        return asked;
+    }
+    for (const ShadowPacket& packet : sampled.packets)
+        asked += static_cast<std::uint64_t>(std::count_if(std::begin(packet.tfar), std::end(packet.tfar), [](float t) { return t >= 0; }));
+    visibility.occluded(sampled.packets);
+    return asked;
+}
+
+}  // namespace
+
+std::vector<double> connect_pairs(PairStage& stage, const Visibility& visibility, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings,
+                                  ConnectCounts& counts)
+{
+    stage.begin(eyes.records, eyes.count, lights.records, lights.count, settings.vertex_limit);
+    const std::vector<PairTile> tiles = tiles_of(stage.groups(), lights.count, settings);
+    counts.pairs += std::uint64_t(eyes.count) * lights.count * settings.samples;
+    if ((settings.features & feature_bit::occluders) == 0) {
+        for (const PairTile& tile : tiles) stage.gather(tile);
+        return stage.sums();
+    }
+    if (!tiles.empty()) stage.sample(0, tiles[0]);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const int slot = static_cast<int>(i % 2);
+        if (i + 1 < tiles.size()) stage.sample(1 - slot, tiles[i + 1]);
+        const SampledTile sampled = stage.sampled(slot);
+        const auto start = std::chrono::steady_clock::now();
+        counts.shadow_segments += answer(visibility, sampled, tiles[i], eyes, settings);
+        counts.visibility_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        stage.accumulate(slot);
+    }
+    return stage.sums();
+}
+
+}  // namespace tyndall

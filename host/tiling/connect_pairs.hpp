@@ -1,0 +1,40 @@
+#pragma once
+/// Cuts eyes x lights into tiles and takes each through sampling, visibility and accumulation; while the host answers one tile's shadow segments
+/// the device samples the next.
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "device/pair_stage.hpp"
+#include "visibility/visibility.hpp"
+
+namespace tyndall {
+
+/// Raw eye records, a multiple of eye_alignment of them, and what the host needs to know of each.
+struct EyeBatch {
+    std::span<const std::byte> records;
+    std::uint32_t count = 0;
+    std::vector<int> media;  ///< the medium that each eye is in (vacuum: -1); needed only where connections are walked on the host
+};
+
+struct LightBatch {
+    std::span<const std::byte> records;
+    std::uint32_t count = 0;
+};
+
+struct ConnectSettings {
+    std::uint32_t features = 0, samples = 1, vertex_limit = 0xffffffffu;
+    std::uint32_t tile_pairs = 0;  ///< 0: default for the pipeline
+    int lanes = 1;
+};
+
+struct ConnectCounts {
+    std::uint64_t pairs = 0, shadow_segments = 0;
+    double visibility_seconds = 0;
+};
+
+/// Sum over all lights of what they send to each eye: r, g, b per eye. Byte-equal for every tile size.
+std::vector<double> connect_pairs(PairStage& stage, const Visibility& visibility, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings,
+                                  ConnectCounts& counts);
+
+}  // namespace tyndall

@@ -1,0 +1,22 @@
+#pragma once
+/// Where a stretch of a medium stops to matter.
+#include <algorithm>
+#include <limits>
+
+#include "scene/scene.hpp"
+
+namespace tyndall {
+
+/// The distance at which transmittance is zero in float in every channel that scatters: exp(-104) < 2^-149, the smallest positive float, so what lies beyond
+/// adds exactly 0. Infinity for a medium that does not scatter.
+inline double opaque_distance(const Medium& medium)
+{
+    constexpr double opaque_depth = 104;
+    const Rgb sigma_s = medium.sigma_s();
+    double distance = 0;
+    for (int c = 0; c < 3; ++c)
+        if (sigma_s[c] > 0) distance = std::max(distance, opaque_depth / medium.sigma_t[c]);
+    return distance > 0 ? distance : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace tyndall

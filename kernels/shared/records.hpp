@@ -1,0 +1,19 @@
+#pragma once
+/// The host's door to the records that cross the border: the same files that the device reads, in namespace tyndall.
+#include <cstdint>
+
+namespace tyndall {
+
+using uint = std::uint32_t;
+#pragma push_macro("LAYOUT")
+#undef LAYOUT
+#define LAYOUT(Type, bytes) static_assert(sizeof(Type) == (bytes) && alignof(Type) == 4, #Type " differs between host and device");
+#include "kernels/shared/container.h"
+#include "kernels/shared/eye_point.h"
+#include "kernels/shared/eye_segment.h"
+#include "kernels/shared/medium.h"
+#include "kernels/shared/scene_features.h"
+#include "kernels/shared/shadow_packet.h"
+#pragma pop_macro("LAYOUT")
+
+}  // namespace tyndall

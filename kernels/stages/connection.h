@@ -1,0 +1,85 @@
+// Loads and helpers that every stage of the pair pipeline shares.
+#ifndef CONNECTION_H
+#define CONNECTION_H
+
+#define LIGHT_BLOCK 256u  // lights are summed in fixed blocks of so many, by light number
+
+/// Length of the part of the segment from + t d, 0 <= t <= 1, |d| = length, that lies inside the container.
+static inline real chord(__global const PlaneRecord* planes, ContainerRecord container, real3 from, real3 d, real length)
+{
+    real enter = R(0.0), leave = R(1.0);
+    for (uint i = 0; i < container.plane_count; ++i) {
+        PlaneRecord plane = planes[container.first_plane + i];
+        real3 n = make_real3((real)plane.normal_x, (real)plane.normal_y, (real)plane.normal_z);
+        ClipInterval clipped = clip_half_space(enter, leave, (real)plane.offset - dot3(n, from), dot3(n, d));
+        enter = clipped.enter, leave = clipped.leave;
+    }
+    return fmax(leave - enter, R(0.0)) * length;
+}
+
+/// Where, in whose media, a stage works: what all of them take besides the eyes and the lights.
+typedef struct {
+    __global const MediumRecord* media;
+    __global const ContainerRecord* containers;
+    __global const PlaneRecord* planes;
+    uint container_count;
+} Surroundings;
+
+/// Transmittance of the connection itself, where it follows from the records; NONCONVEX_MEDIA leaves it to the host.
+static inline real3 leg_transmittance(Surroundings s, MediumRecord medium, Connection c)
+{
+    if (NONCONVEX_MEDIA) return make_real3(R(1.0), R(1.0), R(1.0));
+    if (!BOUNDARIES || s.container_count == 0u)
+        return transmittance3(scale3(make_real3((real)medium.sigma_t_r, (real)medium.sigma_t_g, (real)medium.sigma_t_b), c.length));
+    real3 depth = make_real3(R(0.0), R(0.0), R(0.0)), d = sub3(c.to, c.from);
+    for (uint i = 0; i < s.container_count; ++i) {
+        ContainerRecord container = s.containers[i];
+        MediumRecord inside = s.media[container.medium];
+        real inner = chord(s.planes, container, c.from, d, c.length);
+        depth = along3(depth, R(1.0), scale3(make_real3((real)inside.sigma_t_r, (real)inside.sigma_t_g, (real)inside.sigma_t_b), inner));
+    }
+    return transmittance3(depth);
+}
+
+/// One sample of one light for LANES eyes, with everything but visibility. Radiance that is not finite is counted in the ledger and taken out of the sum.
+static inline Connection connect_counted(Eye eye, Light light, Surroundings s, uint vertex_limit, uint counter, __global uint* ledger, uint group)
+{
+    MediumRecord medium = s.media[MANY_MEDIA ? light.medium : 0u];
+    Connection c = connect_eye(eye, light, medium, random2(eye.key, counter));
+    c.radiance = mul3(c.radiance, leg_transmittance(s, medium, c));
+    if (DEPTH_LIMIT) {
+        mask allowed = to_mask(eye.depth + light.depth + 2u <= vertex_limit);
+        c.radiance = select3(make_real3(R(0.0), R(0.0), R(0.0)), c.radiance, allowed);
+    }
+    mask finite = to_mask(isfinite(c.radiance.x + c.radiance.y + c.radiance.z));
+    if (!all_lanes(finite)) {
+        uint lanes = count_lanes(finite);
+        if (atomic_add(&ledger[0], LANES - lanes) == 0u) ledger[1] = group * LANES, ledger[2] = counter;
+        c.radiance = select3(make_real3(R(0.0), R(0.0), R(0.0)), c.radiance, finite);
+    }
+    return c;
+}
+
+/// Running sums of one group: for c = r, g, b the lanes of `high`, then of `low`.
+typedef struct { LongSum r, g, b; } LongSum3;
+static inline LongSum3 load_sums(__global const float* sums, uint group)
+{
+    LongSum3 s;
+    s.r.high = load_lanes(sums, group * 6u), s.r.low = load_lanes(sums, group * 6u + 1u);
+    s.g.high = load_lanes(sums, group * 6u + 2u), s.g.low = load_lanes(sums, group * 6u + 3u);
+    s.b.high = load_lanes(sums, group * 6u + 4u), s.b.low = load_lanes(sums, group * 6u + 5u);
+    return s;
+}
+static inline void store_sums(LongSum3 s, __global float* sums, uint group)
+{
+    store_lanes(s.r.high, group * 6u, sums), store_lanes(s.r.low, group * 6u + 1u, sums);
+    store_lanes(s.g.high, group * 6u + 2u, sums), store_lanes(s.g.low, group * 6u + 3u, sums);
+    store_lanes(s.b.high, group * 6u + 4u, sums), store_lanes(s.b.low, group * 6u + 5u, sums);
+}
+static inline LongSum3 add_block(LongSum3 s, real3 x)
+{
+    s.r = add_to(s.r, x.x), s.g = add_to(s.g, x.y), s.b = add_to(s.b, x.z);
+    return s;
+}
+
+#endif

@@ -1,0 +1,31 @@
+// What the stages call an eye, when eyes are points on surfaces: virtual light to surface.
+#ifndef EYE_KIND_H
+#define EYE_KIND_H
+
+typedef EyePoint EyeRecord;
+typedef struct {
+    EyePointLanes geometry;
+    bits key, depth, medium_index;
+} Eye;
+
+static inline Eye load_eye(__global const EyeRecord* eyes, uint group, __global const MediumRecord* media)
+{
+#define FIELD(name) load_field(&eyes->name, sizeof(EyeRecord) / 4, group)
+#define FIELD_BITS(name) load_field_bits(&eyes->name, sizeof(EyeRecord) / 4, group)
+    Eye eye;
+    eye.geometry.position = make_real3(FIELD(position_x), FIELD(position_y), FIELD(position_z));
+    eye.geometry.normal = make_real3(FIELD(normal_x), FIELD(normal_y), FIELD(normal_z));
+    eye.geometry.facing = make_real3(FIELD(facing_x), FIELD(facing_y), FIELD(facing_z));
+    eye.geometry.throughput = make_real3(FIELD(throughput_r), FIELD(throughput_g), FIELD(throughput_b));
+    eye.key = FIELD_BITS(key), eye.depth = FIELD_BITS(depth), eye.medium_index = FIELD_BITS(medium);
+#undef FIELD
+#undef FIELD_BITS
+    return eye;
+}
+
+static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, Random2 xi)
+{
+    return connect_point(eye.geometry, light, medium, xi);
+}
+
+#endif
