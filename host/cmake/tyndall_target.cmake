@@ -2,7 +2,7 @@
 # (kernels/dialect.h: fma is written where the algebra needs it), and the sanitizer of the preset.
 add_library(tyndall_build INTERFACE)
 target_compile_features(tyndall_build INTERFACE cxx_std_20)
-target_compile_options(tyndall_build INTERFACE -Wall -Wextra -Wpedantic -Wno-missing-field-initializers -ffp-contract=off)
+target_compile_options(tyndall_build INTERFACE -Wall -Wextra -Wpedantic -Wno-missing-field-initializers -Wno-restrict -ffp-contract=off)
 target_include_directories(tyndall_build INTERFACE ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR}/host/include ${PROJECT_SOURCE_DIR})
 if(TYNDALL_SANITIZE)
   target_compile_options(tyndall_build INTERFACE -fsanitize=${TYNDALL_SANITIZE} -fno-omit-frame-pointer)

@@ -1,0 +1,34 @@
+#pragma once
+/// What a virtual ray light sends to an eye segment or a surface point, by plain quadrature of the talk's integral: an oracle that shares no code with
+/// kernels/. Phase functions and transmittances are the textbook's.
+#include <glm/glm.hpp>
+
+#include <random>
+
+namespace tyndall::plain {
+
+struct Pair {
+    glm::dvec3 o, a, p, b;                   ///< eye origin and direction, light origin and direction
+    double eye_length, light_length, g = 0;
+    glm::dvec3 sigma_t, sigma_s, flux{1}, share{0};
+    bool is_short = false;
+};
+struct SurfacePair {
+    Pair light;
+    glm::dvec3 x, n;
+};
+
+/// Segments inside a box of side 2, apart from each other by at least .15, chromatic medium.
+Pair random_pair(std::mt19937& engine, double g, bool is_short);
+SurfacePair random_surface_pair(std::mt19937& engine, double g, bool is_short);
+/// Inputs rounded to float, so that both precisions see the same pair.
+Pair as_float(Pair pair);
+/// Eye and light exchange their roles.
+Pair swapped(const Pair& pair);
+
+/// Integral over both segments of flux sigma_s^2 f f T / w^2, composite Gauss-Legendre.
+glm::dvec3 transport(const Pair& pair);
+/// Integral over the light of flux sigma_s f T max(n . omega, 0) / w^2.
+glm::dvec3 transport(const SurfacePair& pair);
+
+}  // namespace tyndall::plain
