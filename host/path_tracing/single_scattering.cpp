@@ -1,0 +1,182 @@
+#include "path_tracing/single_scattering.hpp"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+
+#include "path_tracing/segment_sampling.hpp"
+#include "transport/bsdf.hpp"
+#include "transport/camera.hpp"
+#include "transport/emitter.hpp"
+#include "transport/medium.hpp"
+#include "transport/phase_function.hpp"
+
+namespace tyndall {
+namespace {
+
+constexpr double opaque_depth = 104;    ///< exp(-104) is 0 in float
+constexpr int roulette_mirrors = 8;     ///< mirrors and glass before Russian roulette begins
+constexpr double most_survival = .95;   ///< so that total internal reflection ends
+
+double largest(const Rgb& c) { return std::max({c.x, c.y, c.z}); }
+double sum(const Rgb& c) { return c.x + c.y + c.z; }
+
+struct Shared {
+    const Scene& scene;
+    const Visibility& visibility;
+    const PathTracingSettings& settings;
+    const EmitterSampler emitters;
+};
+
+/// A stretch of the camera path inside one medium that scatters.
+struct Stretch {
+    const Medium& medium;
+    int medium_index;
+    Vec3 origin, direction;
+    double length;
+    Rgb throughput;  ///< up to its origin
+};
+
+/// Where on a stretch to scatter: half way between "as the light sees it" and "as it is lit through": the first alone while it is thin.
+struct Chosen {
+    double u;
+    double density;  ///< per length, times the squared distance to the light if that has a place
+};
+
+/// One camera sample's single scattering.
+class SinglePath {
+public:
+    SinglePath(const Shared& shared, std::uint64_t pixel)
+        : shared_(shared), scene_(shared.scene), random_(shared.settings.seed, shared.settings.pass, RandomStream::single, pixel)
+    {
+    }
+
+    Rgb trace(const CameraSample& start)
+    {
+        Ray ray = start.ray;
+        int medium = start.medium;
+        Rgb throughput(1), radiance(0);
+        for (int mirrors = 0; may_scatter(mirrors) && largest(throughput) > 0; ++mirrors) {
+            const RayWalk walk = shared_.visibility.walk(ray, medium);
+            radiance += along(walk, ray, throughput);
+            if (!walk.found || !specular(bsdf_of(scene_, walk.surface))) break;
+            const BsdfSample next = sample_bsdf(scene_, {.hit = walk.surface, .in = ray.direction}, random_.next2());
+            throughput *= next.weight * transmittance_of(scene_, walk.pieces) / survival(mirrors, throughput);
+            medium = shared_.visibility.medium_behind(walk.surface, next.direction, walk.medium);
+            ray = {.origin = shared_.visibility.leave(walk.surface, next.direction), .direction = next.direction};
+        }
+        return radiance;
+    }
+
+private:
+    bool may_scatter(int mirrors) const { return shared_.settings.max_depth < 0 || mirrors + 1 <= shared_.settings.max_depth - 1; }
+
+    /// Probability with which the path goes on; infinity (throughput becomes 0) if it does not.
+    double survival(int mirrors, const Rgb& throughput)
+    {
+        if (mirrors < roulette_mirrors) return 1;
+        const double probability = std::min(largest(throughput), most_survival);
+        return random_.next() < probability ? probability : std::numeric_limits<double>::infinity();
+    }
+
+    Rgb along(const RayWalk& walk, const Ray& ray, const Rgb& throughput)
+    {
+        Rgb depth(0), radiance(0);
+        for (const MediumPiece& piece : walk.pieces) {
+            if (piece.medium == vacuum) continue;
+            const Medium& medium = scene_.media[piece.medium];
+            const Stretch stretch{.medium = medium, .medium_index = piece.medium, .origin = ray.origin + piece.t0 * ray.direction, .direction = ray.direction,
+                                  .length = std::min(piece.t1 - piece.t0, opaque_from(medium, depth)), .throughput = throughput * glm::exp(-depth)};
+            if (stretch.length > 0 && largest(stretch.throughput * medium.sigma_s()) > 0) radiance += scatter(stretch);
+            depth += (piece.t1 - piece.t0) * medium.sigma_t;
+        }
+        return radiance;
+    }
+
+    /// Length after which the camera sees nothing of the medium in any channel that scatters.
+    static double opaque_from(const Medium& medium, const Rgb& depth)
+    {
+        double length = 0;
+        for (int c = 0; c < 3; ++c)
+            if (medium.sigma_s()[c] > 0) length = std::max(length, (opaque_depth - depth[c]) / medium.sigma_t[c]);
+        return length;
+    }
+
+    Rgb scatter(const Stretch& stretch)
+    {
+        const EmitterChoice choice = shared_.emitters.choose(random_.next());
+        const Emitter& emitter = scene_.emitters[choice.emitter];
+        const bool outside = emitter.type == Emitter::Type::directional || emitter.type == Emitter::Type::constant;
+        const Rgb lit = outside ? light_from_outside(stretch, choice.emitter) : light_from_point(stretch, choice.emitter);
+        return lit / choice.probability;
+    }
+
+    static ExponentialMixture mixture_of(const Stretch& stretch)
+    {
+        const Rgb strength = stretch.throughput * stretch.medium.sigma_s();
+        return {.sigma = stretch.medium.sigma_t, .share = strength / sum(strength), .length = stretch.length};
+    }
+
+    Chosen choose_distance(const Stretch& stretch, const Vec3& light)
+    {
+        const ExponentialMixture mixture = mixture_of(stretch);
+        const SeenStretch seen = see_stretch(light - stretch.origin, stretch.direction, stretch.length);
+        const double thickness = largest(stretch.medium.sigma_t) * stretch.length, by_angle = 1 / (1 + std::min(thickness, 1.0));
+        const double which = random_.next();
+        const Vec2 xi = random_.next2();
+        const double u = which < by_angle ? sample_angle(seen, xi.y) : sample_mixture(mixture, xi);
+        const double square = seen.distance * seen.distance + (u - seen.foot) * (u - seen.foot);
+        return {.u = u, .density = by_angle * pdf_angle_times_square(seen) + (1 - by_angle) * pdf_mixture(mixture, u) * square};
+    }
+
+    /// What of `arriving` light the point at u sends to the camera, before transmittance and visibility of the light.
+    Rgb scattered(const Stretch& stretch, double u, const Vec3& to_light) const
+    {
+        const double phase = evaluate_phase(stretch.medium.phase, stretch.direction, to_light);
+        return stretch.throughput * stretch.medium.sigma_s() * glm::exp(-u * stretch.medium.sigma_t) * phase;
+    }
+
+    Rgb light_from_point(const Stretch& stretch, int emitter)
+    {
+        const EmitterPoint point = shared_.emitters.sample_point(emitter, random_.next2());
+        const Chosen chosen = choose_distance(stretch, point.position);
+        const Vec3 x = stretch.origin + chosen.u * stretch.direction, to_light = point.position - x;
+        const double distance = glm::length(to_light);
+        if (distance == 0) return Rgb(0);  // a direction does not exist; the set of such points has no measure
+        const Vec3 direction = to_light / distance;
+        const Rgb radiance = scattered(stretch, chosen.u, direction) * intensity(scene_.emitters[emitter], point, -direction) / (point.pdf * chosen.density);
+        return largest(radiance) > 0 ? radiance * shared_.visibility.transmittance(x, stretch.medium_index, point.position) : Rgb(0);
+    }
+
+    Rgb light_from_outside(const Stretch& stretch, int emitter)
+    {
+        const ExponentialMixture mixture = mixture_of(stretch);
+        const double u = sample_mixture(mixture, random_.next2());
+        const Vec3 x = stretch.origin + u * stretch.direction;
+        const DirectSample light = sample_direct(shared_.emitters, emitter, x, random_.next2());
+        const Rgb radiance = scattered(stretch, u, light.direction) * light.weight / pdf_mixture(mixture, u);
+        return largest(radiance) > 0 ? radiance * transmittance_to(shared_.visibility, scene_, x, stretch.medium_index, light) : Rgb(0);
+    }
+
+    const Shared& shared_;
+    const Scene& scene_;
+    RandomSequence random_;
+};
+
+}  // namespace
+
+void trace_single(const Scene& scene, const Visibility& visibility, const PathTracingSettings& settings, PassImage& image)
+{
+    const Shared shared{.scene = scene, .visibility = visibility, .settings = settings, .emitters = EmitterSampler(scene)};
+    if (shared.emitters.empty()) return;
+    visibility.in_arena([&] {
+        tbb::parallel_for(0, image.height, [&](int y) {
+            for (int x = 0; x < image.width; ++x) {
+                const std::size_t pixel = static_cast<std::size_t>(y) * image.width + x;
+                image[Layer::single][pixel] += SinglePath(shared, pixel).trace(sample_camera(scene.camera, x, y, settings.seed, settings.pass));
+            }
+        });
+    });
+}
+
+}  // namespace tyndall
