@@ -19,7 +19,11 @@ static_assert(std::atomic<int>::is_always_lock_free);
 extern "C" void on_signal(int number)
 {
     int none = 0;
-    if (first_signal.compare_exchange_strong(none, number)) return;
+    if (first_signal.compare_exchange_strong(none, number)) {
+        static constexpr char text[] = "\nstopping after this pass and writing the image; once more to stop at once and write nothing\n";
+        [[maybe_unused]] const auto ignored = ::write(STDERR_FILENO, text, sizeof text - 1);
+        return;
+    }
     AtomicFile::remove_unfinished();
     ::_exit(exit_after_signal + number);
 }

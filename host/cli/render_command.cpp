@@ -36,6 +36,15 @@ void print_warnings(const std::vector<std::string>& warnings)
     for (const auto& warning : warnings) fmt::print(stderr, "warning: {}\n", printable(warning));
 }
 
+void print_start(const Scene& scene, const RenderSettings& settings, ProgressStyle style)
+{
+    if (style != ProgressStyle::bar && style != ProgressStyle::plain) return;
+    const auto passes = settings.passes > 0 ? fmt::format(", {} passes", settings.passes) : "";
+    const auto time = settings.seconds > 0 ? fmt::format(", at most {}", readable_seconds(settings.seconds)) : "";
+    fmt::print(stderr, "rendering {}: {} x {} pixels{}{}\n", printable(scene.file), scene.camera.crop_width, scene.camera.crop_height,
+               passes, time);
+}
+
 RenderOutcome render_with_progress(const Scene& scene, const RenderSettings& settings, ProgressStyle style, const InterruptGuard& interrupt)
 {
     ProgressView view(style, style == ProgressStyle::json ? stdout : stderr, terminal_columns());
@@ -86,6 +95,7 @@ int run_render(RenderCommand command)
     check_outputs(paths);
     const auto style = chosen_style(command.progress);
     const InterruptGuard interrupt;
+    print_start(scene, command.settings, style);
     RenderOutcome outcome = render_with_progress(scene, command.settings, style, interrupt);
     if (outcome.film.passes() == 0) throw Error("no pass was finished, so there is nothing to write; give more --time");
     complete_report(outcome.report, outcome.film, scene);
