@@ -98,7 +98,7 @@ TEST(OverrideFilm, ScalesTheScenesCropOutward)
 TEST(OverrideFilm, AFullFilmStaysFull)
 {
     Camera camera;
-    for (const auto size : {std::pair{3, 7}, std::pair{65536, 1}, std::pair{1, 1}}) {
+    for (const auto& size : {std::pair{3, 7}, std::pair{65536, 1}, std::pair{1, 1}}) {
         override_film(camera, size, {});
         EXPECT_EQ(camera.crop_x, 0);
         EXPECT_EQ(camera.crop_y, 0);

@@ -145,7 +145,9 @@ TEST(Readable, PrintableKeepsUtf8AndEscapesControls)
 {
     EXPECT_EQ(printable("Nov\xc3\xa1k"), "Nov\xc3\xa1k");
     EXPECT_EQ(printable("a\tb\x7f"), "a\\x09b\\x7f");
-    EXPECT_EQ(printable("\xc2\x9b31m"), "\\x9b31m");  // the one-character form of ESC [
+    EXPECT_EQ(printable("\xc2\x9b"
+                        "31m"),
+              "\\x9b31m");  // the one-character form of ESC [
 }
 
 }  // namespace
