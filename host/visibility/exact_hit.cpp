@@ -12,8 +12,8 @@ QuadricHits roots(double a, double b, double c, double discriminant)
     if (!(discriminant >= 0) || a == 0) return {};
     const double root = std::sqrt(discriminant), q = b > 0 ? -(b + root) : root - b;
     if (q == 0) return {.count = 1, .t = {0, 0}};
-    const auto [low, high] = std::minmax(q / a, c / q);
-    return {.count = 2, .t = {low, high}};
+    const double one = q / a, other = c / q;
+    return {.count = 2, .t = {std::min(one, other), std::max(one, other)}};
 }
 
 QuadricHits meet_sphere(const Vec3& o, const Vec3& d)
