@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "scene/render_space.hpp"
@@ -13,15 +12,11 @@ namespace tyndall {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 /// 0.6, or 0.15 0.4 1 if the channels differ.
 std::string words(const Vec3& v) { return v.x == v.y && v.y == v.z ? fmt::format("{:.6g}", v.x) : fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z); }
 std::string point_words(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
-Json json_of(const Vec3& v) { return {v.x, v.y, v.z}; }
-Json json_name(const std::string& name) { return printable(name); }
 
 std::string medium_name(const Scene& scene, int medium) { return medium == vacuum ? "vacuum" : in_quotes(scene.media[static_cast<std::size_t>(medium)].name); }
 
@@ -102,30 +97,6 @@ std::string bsdf_words(const Bsdf& bsdf)
     return text + "\n";
 }
 
-Json json_medium(const Scene& scene, int medium) { return medium == vacuum ? Json() : json_name(scene.media[static_cast<std::size_t>(medium)].name); }
-
-Json camera_json(const Scene& scene)
-{
-    const Camera& camera = scene.camera;
-    return {{"position", json_of(to_file_space(scene, Vec3(camera.to_world[3])))},
-            {"fov_x_degrees", degrees(camera.fov_x)},
-            {"near_clip", camera.near_clip * scene.unit},
-            {"far_clip", camera.far_clip * scene.unit},
-            {"size", {camera.width, camera.height}},
-            {"crop", {camera.crop_x, camera.crop_y, camera.crop_width, camera.crop_height}},
-            {"filter", camera.filter.type == Filter::Type::box ? "box" : "gaussian"},
-            {"medium", json_medium(scene, camera.medium)}};
-}
-
-Json shape_json(const Scene& scene, const Shape& shape)
-{
-    Json json{{"name", json_name(shape.name)}, {"type", type_name(shape.type)}, {"bsdf", shape.bsdf}, {"flip_normals", shape.flip_normals}};
-    if (shape.type == Shape::Type::mesh)
-        json.update({{"triangles", shape.mesh.triangles.size()}, {"vertices", shape.mesh.vertices.size()}, {"closed", shape.mesh.closed}, {"convex", shape.mesh.convex}});
-    if (shape.medium_boundary) json.update({{"interior", json_medium(scene, shape.interior)}, {"exterior", json_medium(scene, shape.exterior)}});
-    return json;
-}
-
 }  // namespace
 
 std::string describe(const Scene& scene)
@@ -144,28 +115,6 @@ std::string describe(const Scene& scene)
     for (const Bsdf& bsdf : scene.bsdfs) text += bsdf_words(bsdf);
     for (const std::string& warning : scene.warnings) text += "warning    " + warning + "\n";
     return text;
-}
-
-std::string describe_json(const Scene& scene)
-{
-    Json json{{"schema", "tyndall-scene-info-1"}, {"file", json_name(scene.file)}, {"hash", fmt::format("{:016x}", scene.hash)}};
-    json.update({{"integrator", json_name(scene.integrator)}, {"max_depth", scene.max_depth}, {"centre", json_of(scene.centre)}, {"unit", scene.unit}});
-    json["camera"] = camera_json(scene);
-    for (const char* list : {"media", "shapes", "emitters", "bsdfs", "warnings"}) json[list] = Json::array();
-    for (const Medium& medium : scene.media)
-        json["media"].push_back({{"name", json_name(medium.name)},
-                                 {"sigma_t", json_of(medium.sigma_t / scene.unit)},
-                                 {"albedo", json_of(medium.albedo)},
-                                 {"g", medium.phase.g},
-                                 {"optical_thickness_across_scene", json_of(medium.sigma_t * diagonal(scene))}});
-    for (const Shape& shape : scene.shapes) json["shapes"].push_back(shape_json(scene, shape));
-    for (const Emitter& emitter : scene.emitters)
-        json["emitters"].push_back({{"name", json_name(emitter.name)}, {"type", type_name(emitter.type)}, {"value", json_of(file_value(scene, emitter))},
-                                    {"medium", json_medium(scene, emitter.medium)}});
-    for (const Bsdf& bsdf : scene.bsdfs)
-        json["bsdfs"].push_back({{"name", json_name(bsdf.name)}, {"type", type_name(bsdf.type)}, {"reflectance", json_of(bsdf.reflectance)}, {"two_sided", bsdf.two_sided}});
-    for (const std::string& warning : scene.warnings) json["warnings"].push_back(warning);
-    return json.dump(2);
 }
 
 }  // namespace tyndall

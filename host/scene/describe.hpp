@@ -9,7 +9,4 @@ namespace tyndall {
 /// For people: camera, film, media with their optical thickness across the scene, shapes, emitters, bsdfs, warnings; lengths in the scene file's units.
 std::string describe(const Scene& scene);
 
-/// The same facts as a JSON object (`"schema": "tyndall-scene-info-1"`).
-std::string describe_json(const Scene& scene);
-
 }  // namespace tyndall

@@ -14,12 +14,14 @@ namespace {
 const std::vector<std::string> parameter_tags{"string", "float", "integer", "boolean", "point", "vector", "rgb", "spectrum", "transform"};
 const std::vector<std::string> object_tags{"integrator", "sampler", "sensor", "film", "rfilter", "medium", "phase", "shape", "bsdf", "emitter", "texture", "volume"};
 
+constexpr std::size_t most_parameters = 256;  ///< of one element
+
 bool among(const std::string& word, const std::vector<std::string>& words) { return std::find(words.begin(), words.end(), word) != words.end(); }
 
 std::string tags_in_words(const std::vector<std::string>& tags)
 {
     std::string words;
-    for (std::size_t i = 0; i < tags.size(); ++i) words += (i == 0 ? "<" : i + 1 == tags.size() ? " or <" : ", <") + tags[i] + ">";
+    for (std::size_t i = 0; i < tags.size(); ++i) words += fmt::format("{}<{}>", i == 0 ? "" : i + 1 == tags.size() ? " or " : ", ", tags[i]);
     return words;
 }
 
@@ -69,6 +71,7 @@ void Properties::take(const XmlElement& child)
     } else if (among(child.tag, parameter_tags) && !typed_spectrum) {
         const std::string name = child.value_of("name");
         if (name.empty()) refuse(child.where, fmt::format("{}: <{}> needs the attribute \"name\"", title_, child.tag));
+        if (parameters_.size() == most_parameters) refuse(child.where, fmt::format("{}: more than {} parameters", title_, most_parameters));
         for (const Parameter& other : parameters_)
             if (other.name == name) refuse(child.where, fmt::format("{}: {} is given twice, first at {}", title_, printable(name), to_string(other.element->where)));
         parameters_.push_back({.name = name, .element = &child});

@@ -34,6 +34,9 @@ void check_version(const XmlElement& scene)
     if (*parse_integer(pieces[0]) < 2) refuse(scene.where, "version " + in_quotes(*version) + " is too old; scenes of version 2.0.0 and later are read");
 }
 
+constexpr std::size_t longest_name = 100;
+bool belongs_to_name(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; }
+
 /// Puts a document in place, in document order.
 class Assembler {
 public:
@@ -85,6 +88,8 @@ private:
     {
         require_attributes(element, {"name", "value"});
         const std::string name = element.value_of("name");
+        if (name.size() > longest_name || !std::all_of(name.begin(), name.end(), belongs_to_name))
+            refuse(element.where, "<default> name " + in_quotes(name) + " must be of letters, digits and _, at most 100");
         used_.insert(name);
         parameters_.emplace(name, element.value_of("value"));  // a definition or an earlier default wins
     }
@@ -96,6 +101,8 @@ private:
         if (open_.size() >= xml_limits::include_depth) refuse(element.where, fmt::format("includes are nested deeper than {}", xml_limits::include_depth));
         const std::string name = element.value_of("filename");
         const SceneFiles::Content content = files_.read(name, element.where, xml_limits::bytes);
+        included_bytes_ += content.bytes.size();
+        if (included_bytes_ > xml_limits::included_bytes) refuse(element.where, fmt::format("more than {} bytes of includes", xml_limits::included_bytes));
         const std::string path = content.path.string();
         std::error_code fault;
         if (std::find(open_.begin(), open_.end(), path) != open_.end() || std::filesystem::equivalent(path, main_file_, fault))
@@ -139,20 +146,14 @@ private:
     /// The longest parameter whose name stands at `at`.
     std::string parameter_at(const std::string& text, std::size_t at, const SourceLocation& where) const
     {
-        const auto belongs = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; };
         std::size_t end = at;
-        while (end < text.size() && belongs(text[end])) ++end;
-        std::string longest;
+        while (end < text.size() && end - at < longest_name && belongs_to_name(text[end])) ++end;
+        for (std::size_t size = end - at; size > 0; --size)
+            if (parameters_.contains(text.substr(at, size))) return text.substr(at, size);
         std::vector<std::string> known;
-        for (const auto& [name, value] : parameters_) {
-            known.push_back(name);
-            if (name.size() > longest.size() && text.compare(at, name.size(), name) == 0) longest = name;
-        }
+        for (const auto& [name, value] : parameters_) known.push_back(name);
         const std::string wanted = text.substr(at, end - at);
-        if (longest.empty())
-            refuse(where, fmt::format("${} is not defined{}; give it a <default>, or define it with -D {}=value", printable(wanted), suggestion(wanted, known),
-                                      printable(wanted)));
-        return longest;
+        refuse(where, fmt::format("${0} is not defined{1}; give it a <default>, or define it with -D {0}=value", printable(wanted), suggestion(wanted, known)));
     }
 
     void check_definitions(const std::string& file) const
@@ -170,6 +171,7 @@ private:
     std::set<std::string> used_;
     std::vector<std::string> open_;
     std::size_t elements_ = 0;
+    std::size_t included_bytes_ = 0;
     int includes_ = 0;
 };
 

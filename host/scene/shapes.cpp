@@ -76,7 +76,7 @@ void read_cylinder(Properties& properties, Shape& shape, const Mat4& to_world)
 Mesh read_mesh_file(SceneBuilder& builder, Properties& properties)
 {
     const std::string name = properties.text("filename", "");
-    if (name.empty()) refuse(properties.where(), properties.title() + ": needs <string name=\"filename\" value=\"...\"/>");
+    if (name.empty()) properties.refuse_parameter("filename", "needs <string name=\"filename\" value=\"...\"/>");
     const bool is_obj = properties.type() == "obj", face_normals = properties.boolean("face_normals", false);
     const bool flip = properties.boolean("flip_tex_coords", is_obj);
     const SourceLocation where = properties.where_is("filename");

@@ -58,6 +58,7 @@ XmlElement convert(const pugi::xml_node& node, const LineMap& lines, int depth)
     XmlElement element{.tag = node.name(), .where = place_of(lines, node)};
     if (depth > xml_limits::depth) refuse(element.where, fmt::format("elements are nested deeper than {}", xml_limits::depth));
     for (const pugi::xml_attribute& attribute : node.attributes()) {
+        if (element.attributes.size() == xml_limits::attributes) refuse(element.where, fmt::format("an element with more than {} attributes", xml_limits::attributes));
         if (element.find(attribute.name())) refuse(element.where, fmt::format("<{}> has the attribute {} twice", printable(element.tag), in_quotes(attribute.name())));
         element.attributes.push_back({attribute.name(), attribute.value()});
         if (element.attributes.back().value.size() > xml_limits::attribute_bytes)

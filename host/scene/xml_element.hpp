@@ -31,6 +31,8 @@ inline constexpr std::size_t tags = 1'000'000;           ///< opening and closin
 inline constexpr int depth = 64;                         ///< of nesting
 inline constexpr std::size_t attribute_bytes = 1u << 16; ///< of one attribute, after substitution
 inline constexpr std::size_t elements = 500'000;         ///< of a scene with all its includes
+inline constexpr std::size_t attributes = 32;            ///< of one element
+inline constexpr std::size_t included_bytes = 256u << 20;
 inline constexpr int include_depth = 16;
 inline constexpr int includes = 1000;
 }  // namespace xml_limits
