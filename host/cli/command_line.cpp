@@ -8,9 +8,8 @@
 #include "cli/list_commands.hpp"
 #include "cli/render_command.hpp"
 #include "cli/render_options.hpp"
-#include "cli/suggestion.hpp"
 #include "cli/version.hpp"
-#include "report/readable.hpp"
+#include "scene/text.hpp"
 #include "tyndall/error.hpp"
 
 namespace tyndall {
@@ -90,7 +89,7 @@ std::string unknown_argument(const CLI::App& app, int argc, char** argv)
             return fmt::format("unknown option {}{}", stem, suggestion(stem, option_names(*command)));
         if (command == &app && stem[0] != '-')
             return fmt::format("unknown command \"{}\"{}", argument,
-                               argument.ends_with(".xml") ? "; did you mean `tyndall render " + argument + "`?"
+                               argument.ends_with(".xml") ? " (did you mean `tyndall render " + argument + "`?)"
                                                           : suggestion(argument, command_names(app)));
     }
     return {};

@@ -11,18 +11,18 @@ namespace tyndall {
 namespace {
 
 /// Messages may have several lines (a kernel's build log) and may quote files: escape what is not text, line by line.
-std::string printable_lines(const std::string& text)
+std::string terminal_safe_lines(const std::string& text)
 {
     std::string clean;
     std::size_t start = 0;
     for (std::size_t end; (end = text.find('\n', start)) != std::string::npos; start = end + 1)
-        clean += printable(text.substr(start, end - start)) + "\n";
-    return clean + printable(text.substr(start));
+        clean += terminal_safe(text.substr(start, end - start)) + "\n";
+    return clean + terminal_safe(text.substr(start));
 }
 
 int ends(ExitCode code, const std::string& message)
 {
-    std::fprintf(stderr, "tyndall: %s\n", printable_lines(message).c_str());
+    std::fprintf(stderr, "tyndall: %s\n", terminal_safe_lines(message).c_str());
     return static_cast<int>(code);
 }
 

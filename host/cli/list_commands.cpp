@@ -38,12 +38,12 @@ Json json_of(const DeviceInfo& device)
 void print_device(const DeviceInfo& device)
 {
     constexpr double gib = 1024. * 1024 * 1024;
-    fmt::print("{:>3}  {}: {}\n", device.index, printable(device.platform), printable(device.name));
-    fmt::print("     {}, driver {}, {}\n", printable(device.vendor), printable(device.driver), printable(device.version));
+    fmt::print("{:>3}  {}: {}\n", device.index, terminal_safe(device.platform), terminal_safe(device.name));
+    fmt::print("     {}, driver {}, {}\n", terminal_safe(device.vendor), terminal_safe(device.driver), terminal_safe(device.version));
     fmt::print("     {} compute units, {:.1f} GiB, at most {:.1f} GiB at once, {} lanes, double {}\n", device.compute_units,
                static_cast<double>(device.global_memory) / gib, static_cast<double>(device.max_allocation) / gib, device.default_lanes,
                device.fp64 ? "yes" : "no");
-    if (!device.usable) fmt::print("     not usable: {}\n", printable(device.why_not));
+    if (!device.usable) fmt::print("     not usable: {}\n", terminal_safe(device.why_not));
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ void print_device(const DeviceInfo& device)
 int run_info(const InfoCommand& command)
 {
     const Scene scene = load_scene(command.scene, command.load);
-    for (const auto& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", printable(warning));
+    for (const auto& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
     fmt::print("{}", command.json ? to_json(scene) : describe(scene));
     return static_cast<int>(ExitCode::ok);
 }

@@ -83,7 +83,7 @@ void check_outputs(const OutputPaths& paths)
 
 void write_outputs(const OutputPaths& paths, const Film& film, const Camera& camera, const OutputOptions& options, Report& report)
 {
-    ExrImage image = to_exr_image(film, {camera.crop_x, camera.crop_y, camera.width, camera.height}, options.half);
+    ExrImage image = to_exr_image(film, {camera.crop_x, camera.crop_y, camera.width, camera.height}, {options.half, options.layers});
     add_attributes(image, film, report, options.timestamps);
     write_exr(paths.exr, image);
     const auto beauty = film.beauty();

@@ -23,6 +23,7 @@ void check_outputs(const OutputPaths& paths);
 struct OutputOptions {
     std::optional<double> exposure;  ///< stops; none: automatic
     bool half = false;
+    LayerSet layers;         ///< that were asked for; those that the scene has no light for are written black
     bool timestamps = true;  ///< false: the EXR holds nothing that depends on the clock, so equal renders are byte-equal
 };
 

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "cli/suggestion.hpp"
+#include "scene/text.hpp"
 #include "tyndall/error.hpp"
 
 namespace tyndall {

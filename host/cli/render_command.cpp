@@ -33,7 +33,7 @@ int terminal_columns()
 
 void print_warnings(const std::vector<std::string>& warnings)
 {
-    for (const auto& warning : warnings) fmt::print(stderr, "warning: {}\n", printable(warning));
+    for (const auto& warning : warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
 }
 
 void print_start(const Scene& scene, const RenderSettings& settings, ProgressStyle style)
@@ -41,7 +41,7 @@ void print_start(const Scene& scene, const RenderSettings& settings, ProgressSty
     if (style != ProgressStyle::bar && style != ProgressStyle::plain) return;
     const auto passes = settings.passes > 0 ? fmt::format(", {} passes", settings.passes) : "";
     const auto time = settings.seconds > 0 ? fmt::format(", at most {}", readable_seconds(settings.seconds)) : "";
-    fmt::print(stderr, "rendering {}: {} x {} pixels{}{}\n", printable(scene.file), scene.camera.crop_width, scene.camera.crop_height,
+    fmt::print(stderr, "rendering {}: {} x {} pixels{}{}\n", terminal_safe(scene.file), scene.camera.crop_width, scene.camera.crop_height,
                passes, time);
 }
 
@@ -99,7 +99,7 @@ int run_render(RenderCommand command)
     RenderOutcome outcome = render_with_progress(scene, command.settings, style, interrupt);
     if (outcome.film.passes() == 0) throw Error("no pass was finished, so there is nothing to write; give more --time");
     complete_report(outcome.report, outcome.film, scene);
-    write_outputs(paths, outcome.film, scene.camera, {command.exposure, command.half, command.timestamps}, outcome.report);
+    write_outputs(paths, outcome.film, scene.camera, {command.exposure, command.half, command.settings.layers, command.timestamps}, outcome.report);
     if (style != ProgressStyle::none) print_summary(outcome.report, scene);
     print_outputs(outcome.report, style);
     return interrupt.signal() ? exit_after_signal + interrupt.signal() : static_cast<int>(ExitCode::ok);

@@ -23,21 +23,21 @@ void add_features(ExrImage& image, const PixelFeatures& features, bool half)
 
 }  // namespace
 
-ExrImage to_exr_image(const Film& film, const FilmWindow& window, bool half)
+ExrImage to_exr_image(const Film& film, const FilmWindow& window, const FilmImageOptions& options)
 {
     ExrImage image;
     image.x = window.x, image.y = window.y, image.width = film.width(), image.height = film.height();
     image.display_width = window.full_width, image.display_height = window.full_height;
-    add_channels(image, "", "RGB", film.beauty(), half);
+    add_channels(image, "", "RGB", film.beauty(), options.half);
     for (std::size_t l = 0; l < layer_count; ++l) {
         const auto layer = static_cast<Layer>(l);
         const bool main_layer = l <= static_cast<std::size_t>(Layer::media_to_surface);
-        if (film.has(layer) || (main_layer && film.layers().contains(layer)))
-            add_channels(image, std::string(name(layer)) + ".", "RGB", film.mean(layer), half);
+        if (film.has(layer) || (main_layer && (film.layers() | options.layers).contains(layer)))
+            add_channels(image, std::string(name(layer)) + ".", "RGB", film.mean(layer), options.half);
     }
     add_channels(image, "variance.", "RGB", film.variance_of_mean(), false);
     image.channels["samples"].values.assign(film.pixels(), static_cast<float>(film.passes()));
-    if (const auto features = film.features()) add_features(image, *features, half);
+    if (const auto features = film.features()) add_features(image, *features, options.half);
     return image;
 }
 

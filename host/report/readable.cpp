@@ -40,7 +40,7 @@ std::string readable_percent(double fraction)
     return std::isfinite(fraction) && fraction >= 0 ? three_digits(100 * fraction) + " %" : "unknown";
 }
 
-std::string printable(const std::string& text)
+std::string terminal_safe(const std::string& text)
 {
     std::string clean;
     for (std::size_t i = 0; i < text.size(); ++i) {

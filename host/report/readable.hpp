@@ -15,6 +15,6 @@ std::string readable_seconds(double seconds);
 std::string readable_percent(double fraction);
 
 /// Text from a file or a driver, fit for a terminal: control characters (escape codes among them) become \xNN; UTF-8 stays.
-std::string printable(const std::string& text);
+std::string terminal_safe(const std::string& text);
 
 }  // namespace tyndall

@@ -22,10 +22,10 @@ std::string count(std::uint64_t value) { return readable_count(static_cast<doubl
 
 void add_head(Text& table, const Report& report)
 {
-    line(table, "scene", "{}", printable(report.scene));
+    line(table, "scene", "{}", terminal_safe(report.scene));
     line(table, "image", "{} x {}, {} passes, seed {}, method {}", report.width, report.height, report.passes, report.seed, report.method);
     if (!report.device.empty())
-        line(table, "device", "{}, {} lanes ({})", printable(report.device), report.lanes, printable(report.driver));
+        line(table, "device", "{}, {} lanes ({})", terminal_safe(report.device), report.lanes, terminal_safe(report.driver));
     line(table, "time", "{} on {} threads, {} per pass, stopped by {}", readable_seconds(report.seconds), report.threads,
          readable_seconds(report.pass_seconds), report.stopped_by);
     line(table, "error", "{} (root of the estimated relative mean square error)", readable_percent(report.error));
@@ -47,7 +47,7 @@ void add_stages(Text& table, const Report& report)
     if (report.stages.empty()) return;
     table += "  stage              seconds   share       count\n";
     for (const auto& stage : report.stages)
-        fmt::format_to(std::back_inserter(table), "    {:<16} {:>8.3f}  {:>5.1f} %  {:>10}\n", printable(stage.stage), stage.seconds,
+        fmt::format_to(std::back_inserter(table), "    {:<16} {:>8.3f}  {:>5.1f} %  {:>10}\n", terminal_safe(stage.stage), stage.seconds,
                        report.seconds > 0 ? 100 * stage.seconds / report.seconds : 0., count(stage.count));
 }
 
@@ -63,7 +63,7 @@ void add_effects(Text& table, const Report& report)
 void add_layers(Text& table, const Report& report)
 {
     for (const auto& layer : report.layers) {
-        const auto what = layer.skipped ? "skipped: " + printable(layer.why) : layer.technique + (layer.unbiased ? "" : " (biased)");
+        const auto what = layer.skipped ? "skipped: " + terminal_safe(layer.why) : layer.technique + (layer.unbiased ? "" : " (biased)");
         fmt::format_to(std::back_inserter(table), "  {:<26} {}\n", layer.layer, what);
     }
 }
@@ -78,7 +78,7 @@ void add_ledger(Text& table, const NumericsLedger& ledger)
     add("shadow segments were too short or too close to a surface to be trusted", ledger.unsafe_shadow_segments);
     add("pairs met a floor of their density", ledger.floored_pairs);
     add("walks were ended because they crossed too many surfaces", ledger.runaway_walks);
-    for (const auto& first : ledger.first_cases) fmt::format_to(std::back_inserter(table), "    {}\n", printable(first));
+    for (const auto& first : ledger.first_cases) fmt::format_to(std::back_inserter(table), "    {}\n", terminal_safe(first));
 }
 
 }  // namespace
@@ -92,8 +92,8 @@ std::string to_table(const Report& report)
     add_layers(table, report);
     add_stages(table, report);
     add_ledger(table, report.ledger);
-    for (const auto& warning : report.warnings) fmt::format_to(std::back_inserter(table), "  warning: {}\n", printable(warning));
-    for (const auto& output : report.outputs) fmt::format_to(std::back_inserter(table), "  wrote {}\n", printable(output));
+    for (const auto& warning : report.warnings) fmt::format_to(std::back_inserter(table), "  warning: {}\n", terminal_safe(warning));
+    for (const auto& output : report.outputs) fmt::format_to(std::back_inserter(table), "  wrote {}\n", terminal_safe(output));
     return table;
 }
 

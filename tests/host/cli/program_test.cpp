@@ -178,15 +178,14 @@ TEST_F(Program, UsageErrorsExitWith2AndHelp)
 
 TEST_F(Program, InvalidScenesExitWith3AndAPlace)
 {
-    write_file(
-        "bad.xml",
-        "<scene version=\"3.0.0\">\n  <medium type=\"homogeneous\" id=\"m\"><float name=\"sigma_q\" value=\"1\"/></medium>\n</scene>\n");
+    std::string bad = fog_scene;
+    write_file("bad.xml", bad.replace(bad.find("sigma_t"), 7, "sigma_q"));  // on line 5
     for (const auto* name : {"bad.xml", "missing.xml", "."}) {
         const auto result = run({"render", name});
         EXPECT_EQ(result.exit_code, 3) << name << "\n" << result.err;
     }
     const auto result = run({"render", "bad.xml"});
-    EXPECT_THAT(result.err, testing::ContainsRegex("bad\\.xml:2:[0-9]+"));
+    EXPECT_THAT(result.err, testing::ContainsRegex("bad\\.xml:5:[0-9]+"));
     EXPECT_THAT(result.err, HasSubstr("sigma_t"));
     EXPECT_THAT(files(), ElementsAre("bad.xml", "scene.xml"));
 }

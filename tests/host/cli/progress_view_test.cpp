@@ -69,9 +69,12 @@ TEST(ProgressView, PlainIsALinePerTenPercent)
     EXPECT_EQ(text.find('\x1b'), std::string::npos);
 }
 
-TEST(ProgressView, PlainIsALinePerThirtySecondsWhenSlower) { auto steps = passes(1000, 10);
+TEST(ProgressView, PlainIsALinePerThirtySecondsWhenSlower)
+{
+    auto steps = passes(1000, 10);
     steps.resize(91);  // below the first 10 %
-    EXPECT_EQ(lines(written(ProgressStyle::plain, steps)), 1 + 90 / 3); }
+    EXPECT_EQ(lines(written(ProgressStyle::plain, steps)), 1 + 90 / 3);
+}
 
 TEST(ProgressView, BarRewritesOneLineWithinTheTerminal)
 {

@@ -52,6 +52,14 @@ TEST(FilmImage, LeavesOutLayersThatAreOffAndSpecularOnesThatNobodyBrought)
     EXPECT_EQ(values(image, "surface_direct.R"), (std::vector<float>{0, 0}));  // wanted, but black
 }
 
+TEST(FilmImage, WritesLayersThatTheFilmLacksAsBlackOnRequest)
+{
+    LayerSet emitted;
+    const auto image = to_exr_image(small_film(false), {0, 0, 2, 1}, {.layers = emitted.add(Layer::emitted)});
+    EXPECT_EQ(values(image, "emitted.B"), (std::vector<float>{0, 0}));
+    EXPECT_EQ(values(image, "B"), (std::vector<float>{110, 20}));
+}
+
 TEST(FilmImage, HoldsFeatures)
 {
     const auto image = to_exr_image(small_film(true), {0, 0, 2, 1});
@@ -63,7 +71,7 @@ TEST(FilmImage, HoldsFeatures)
 
 TEST(FilmImage, HalfSparesVarianceSamplesAndDepth)
 {
-    const auto image = to_exr_image(small_film(true), {0, 0, 2, 1}, true);
+    const auto image = to_exr_image(small_film(true), {0, 0, 2, 1}, {.half = true});
     for (const auto* name : {"R", "single.G", "albedo.B", "N.Y"}) EXPECT_TRUE(image.channels.at(name).half) << name;
     for (const auto* name : {"variance.R", "samples", "Z"}) EXPECT_FALSE(image.channels.at(name).half) << name;
 }

@@ -141,12 +141,12 @@ TEST(Readable, PercentAndUnknown)
     EXPECT_EQ(readable_percent(-1), "unknown");
 }
 
-TEST(Readable, PrintableKeepsUtf8AndEscapesControls)
+TEST(Readable, TerminalSafeKeepsUtf8AndEscapesControls)
 {
-    EXPECT_EQ(printable("Nov\xc3\xa1k"), "Nov\xc3\xa1k");
-    EXPECT_EQ(printable("a\tb\x7f"), "a\\x09b\\x7f");
-    EXPECT_EQ(printable("\xc2\x9b"
-                        "31m"),
+    EXPECT_EQ(terminal_safe("Nov\xc3\xa1k"), "Nov\xc3\xa1k");
+    EXPECT_EQ(terminal_safe("a\tb\x7f"), "a\\x09b\\x7f");
+    EXPECT_EQ(terminal_safe("\xc2\x9b"
+                            "31m"),
               "\\x9b31m");  // the one-character form of ESC [
 }
 
