@@ -1,0 +1,165 @@
+/// The pair pipeline on the device: against the same mathematics on the host in double at every lane width; tiles, blocks, ledger.
+#include "device/pair_stage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "kernels/shared/host_features.hpp"
+#include "tests/device/random_pairs.hpp"
+
+namespace tyndall {
+namespace {
+
+using testing::gathered;
+using testing::random_pairs;
+using testing::sampled_and_accumulated;
+
+Device& device()
+{
+    static Device one;
+    return one;
+}
+
+std::uint32_t mask_of(const testing::PairWishes& wishes)
+{
+    return (wishes.g != 0 ? feature_bit::anisotropic : 0u) | (wishes.coloured ? feature_bit::coloured : 0u) | (wishes.short_lights ? feature_bit::short_lights : 0u);
+}
+
+PairProgram program(EyeKind kind, std::uint32_t features, int lanes) { return {.eyes = kind, .features = features, .lanes = lanes}; }
+
+double worst_relative(const std::vector<double>& a, const std::vector<double>& b)
+{
+    double worst = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, std::abs(a[i] - b[i]) / (std::abs(b[i]) + 1e-30));
+    return worst;
+}
+
+class AtEveryLaneWidth : public ::testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(PairStage, AtEveryLaneWidth, ::testing::Values(1, 4, 8, 16));
+
+TEST_P(AtEveryLaneWidth, SumsEqualTheHostsInDouble)
+{
+    for (const EyeKind kind : {EyeKind::segments, EyeKind::points})
+        for (const testing::PairWishes& wishes : {testing::PairWishes{}, testing::PairWishes{.g = .55, .coloured = true, .short_lights = true}}) {
+            const auto pairs = random_pairs(wishes);
+            PairStage stage(device(), program(kind, mask_of(wishes), GetParam()), pairs.tables);
+            // A sum of 300 positive terms, each good to some 1e-6; pairs that nearly cross magnify the rounding of their ends.
+            EXPECT_LT(worst_relative(gathered(stage, pairs, kind, 1000, 1024), testing::host_sums(pairs, kind)), 2e-5);
+            EXPECT_EQ(stage.ledger().not_finite, 0u);
+        }
+}
+
+TEST_P(AtEveryLaneWidth, TilesNeverChangeAByte)
+{
+    for (const std::uint32_t lights : {0u, 1u, 255u, 256u, 257u, 700u}) {
+        const auto pairs = random_pairs({.lights = lights, .g = .3});
+        PairStage stage(device(), program(EyeKind::segments, feature_bit::anisotropic, GetParam()), pairs.tables);
+        const std::vector<double> whole = gathered(stage, pairs, EyeKind::segments, 1000, 1024);
+        EXPECT_EQ(gathered(stage, pairs, EyeKind::segments, 1, 256), whole) << lights << " lights";
+        EXPECT_EQ(gathered(stage, pairs, EyeKind::segments, 3, 512), whole) << lights << " lights";
+    }
+}
+
+TEST_P(AtEveryLaneWidth, SamplingAndAccumulatingEqualsGathering)
+{
+    const std::uint32_t row = 16u / static_cast<std::uint32_t>(GetParam());
+    for (const EyeKind kind : {EyeKind::segments, EyeKind::points}) {
+        const auto pairs = random_pairs({.eyes = 48, .lights = 300, .coloured = true});
+        PairStage fused(device(), program(kind, feature_bit::coloured, GetParam()), pairs.tables);
+        PairStage split(device(), program(kind, feature_bit::coloured | feature_bit::occluders, GetParam()), pairs.tables);
+        const std::vector<double> expected = gathered(fused, pairs, kind, 1000, 1024);
+        EXPECT_EQ(sampled_and_accumulated(split, pairs, kind, row), expected);
+        EXPECT_EQ(sampled_and_accumulated(split, pairs, kind, 3 * row), expected);
+    }
+}
+
+TEST(PairStage, WidthsFourEightAndSixteenAgreeToAMillionth)
+{
+    const auto pairs = random_pairs({.g = .55, .coloured = true});
+    const std::uint32_t mask = feature_bit::anisotropic | feature_bit::coloured;
+    PairStage wide(device(), program(EyeKind::segments, mask, 16), pairs.tables);
+    const auto expected = gathered(wide, pairs, EyeKind::segments, 1000, 1024);
+    for (const int lanes : {4, 8}) {
+        PairStage narrow(device(), program(EyeKind::segments, mask, lanes), pairs.tables);
+        EXPECT_LT(worst_relative(gathered(narrow, pairs, EyeKind::segments, 1000, 1024), expected), 1e-6);
+    }
+}
+
+TEST(PairStage, ABlockedSegmentAddsNothing)
+{
+    const auto pairs = random_pairs({.eyes = 16, .lights = 40});
+    PairStage stage(device(), program(EyeKind::segments, feature_bit::occluders, 16), pairs.tables);
+    stage.begin(std::as_bytes(std::span(pairs.segments)), 16, pairs.lights, 40, 0xffffffffu);
+    stage.sample(0, {0, 1, 0, 40});
+    for (ShadowPacket& packet : stage.sampled(0).packets)
+        for (float& tfar : packet.tfar) tfar = -std::numeric_limits<float>::infinity();
+    stage.accumulate(0);
+    for (const double x : stage.sums()) EXPECT_EQ(x, 0);
+}
+
+TEST(PairStage, ShadowSegmentsRunBetweenShortenedEnds)
+{
+    const auto pairs = random_pairs({.eyes = 16, .lights = 40});
+    PairStage stage(device(), program(EyeKind::segments, feature_bit::occluders, 16), pairs.tables);
+    stage.begin(std::as_bytes(std::span(pairs.segments)), 16, pairs.lights, 40, 0xffffffffu);
+    stage.sample(0, {0, 1, 0, 40});
+    for (const ShadowPacket& packet : stage.sampled(0).packets)
+        for (int i = 0; i < 16; ++i) {
+            const double length = std::sqrt(double(packet.direction_x[i]) * packet.direction_x[i] + double(packet.direction_y[i]) * packet.direction_y[i] +
+                                            double(packet.direction_z[i]) * packet.direction_z[i]);
+            EXPECT_NEAR(packet.tnear[i] * length, 0x1p-21, 1e-12);  // Visibility::endpoint_rounding
+            EXPECT_NEAR((1 - packet.tfar[i]) * length, 0x1p-21, 1.2e-7) << "tfar is rounded to float near 1";
+            EXPECT_EQ(packet.mask[i], 0xffffffffu);
+        }
+    stage.accumulate(0);
+}
+
+TEST(PairStage, ALightThatIsNotFiniteIsCountedAndTakenOut)
+{
+    auto pairs = random_pairs({.eyes = 16, .lights = 300});
+    PairStage stage(device(), program(EyeKind::segments, 0, 16), pairs.tables);
+    testing::set_flux(pairs, 290, 0);
+    const auto without_red = gathered(stage, pairs, EyeKind::segments, 1000, 1024);
+    testing::set_flux(pairs, 290, std::numeric_limits<float>::quiet_NaN());
+    const auto with_nan = gathered(stage, pairs, EyeKind::segments, 1000, 1024);
+    const PairLedger ledger = stage.ledger();
+    EXPECT_EQ(ledger.not_finite, 16u);
+    EXPECT_EQ(ledger.first_counter, 290u);
+    for (std::size_t i = 0; i < with_nan.size(); i += 3) EXPECT_EQ(with_nan[i], without_red[i]) << "the other 299 lights stay";
+}
+
+TEST(PairStage, VertexLimitCountsEyeAndLight)
+{
+    const auto pairs = random_pairs({.eyes = 16, .lights = 4});  // eye depths 0, 1, 2; light depths 0 ... 3
+    PairStage stage(device(), program(EyeKind::segments, feature_bit::depth_limit, 16), pairs.tables);
+    const auto none = gathered(stage, pairs, EyeKind::segments, 1000, 1024, 1), first = gathered(stage, pairs, EyeKind::segments, 1000, 1024, 2);
+    for (std::size_t eye = 0; eye < 16; ++eye) {
+        EXPECT_EQ(none[3 * eye], 0);
+        EXPECT_EQ(first[3 * eye] > 0, pairs.segments[eye].depth == 0) << "two vertices: only the light of depth 0 seen by an eye of depth 0";
+    }
+}
+
+TEST(PairStage, AMillionLightsDoNotStagnate)
+{
+    // hard_cases row 26: equal terms. One eye group, one light repeated; blocks in float, their sum in two floats.
+    auto pairs = random_pairs({.eyes = 16, .lights = 1});
+    const std::vector<std::byte> one = pairs.lights;
+    constexpr std::uint32_t copies = 1u << 20;
+    pairs.lights.clear();
+    for (std::uint32_t i = 0; i < copies; ++i) pairs.lights.insert(pairs.lights.end(), one.begin(), one.end());
+    pairs.light_count = copies;
+    PairStage stage(device(), program(EyeKind::segments, 0, 16), pairs.tables);
+    const auto sums = gathered(stage, pairs, EyeKind::segments, 1000, 1u << 18);
+    auto few = pairs;
+    few.light_count = 1u << 12;
+    const auto oracle = testing::host_sums(few, EyeKind::segments);  // the mean over 4096 of the same random terms, in double
+    for (std::size_t i = 0; i < sums.size(); i += 3) EXPECT_NEAR(sums[i] / copies / (oracle[i] / 4096), 1, .15);
+    // Exactness of the blocked sum itself: the first 4096 lights alone, summed by the device, equal the double sum.
+    const auto device_few = gathered(stage, few, EyeKind::segments, 1000, 256);
+    EXPECT_LT(worst_relative(device_few, oracle), 2e-5);
+}
+
+}  // namespace
+}  // namespace tyndall
