@@ -62,11 +62,8 @@ PURE real invert_henyey_greenstein(real g, ScatterCosine c)
 {
     g = clamped_asymmetry(g);
     real size = fabs(g), gap = R(1.0) - size;
-    mask backward = g < R(0.0);
-    real towards = select(c.one_minus, c.one_plus, backward), away = select(c.one_plus, c.one_minus, backward);
-    real r = sqrt(fma(R(2.0) * size, towards, gap * gap));
-    real below = gap * away / (r * (R(1.0) + size + r));  // share of the lobe's far side
-    return select(below, R(1.0) - below, backward);
+    real r = sqrt(fma(R(2.0) * size, select(c.one_minus, c.one_plus, g < R(0.0)), gap * gap));
+    return (R(1.0) - g) * c.one_plus / (r * ((R(1.0) + g) + r));
 }
 
 #endif

@@ -1,0 +1,31 @@
+#pragma once
+/// evaluate.h on the host, chosen by type.
+#include <array>
+
+#include "kernels/dialect_host.hpp"
+
+namespace tyndall::maths_float {
+#include "tests/hard_cases/evaluate.h"
+}
+#undef EVALUATE_H
+namespace tyndall::maths_double {
+#include "tests/hard_cases/evaluate.h"
+}
+
+namespace tyndall::test {
+
+template <class Real>
+std::array<Real, 4> evaluate_on_host(unsigned sampler, const std::array<Real, 14>& in)
+{
+    std::array<Real, 4> result;
+    const auto run = [&](auto inputs, auto&& function) {
+        for (std::size_t i = 0; i < in.size(); ++i) inputs.in[i] = in[i];
+        const auto out = function(sampler, inputs);
+        for (std::size_t i = 0; i < 4; ++i) result[i] = out.out[i];
+    };
+    if constexpr (sizeof(Real) == 4) run(maths_float::Inputs{}, maths_float::evaluate);
+    else run(maths_double::Inputs{}, maths_double::evaluate);
+    return result;
+}
+
+}  // namespace tyndall::test
