@@ -52,5 +52,5 @@ build_release() {
   local options=("$@")
   [[ -f $build_folder/CMakeCache.txt ]] || options=(-DTYNDALL_TESTS=OFF -DTYNDALL_BENCH=OFF "${options[@]}")
   say "building $target in $build_folder"
-  (cd "$repository_root" && cmake --preset release "${options[@]}" && cmake --build "$build_folder" --target "$target") >&2
+  (cd "$repository_root" && cmake --preset release --log-level=WARNING "${options[@]}" && cmake --build "$build_folder" --target "$target") >&2
 }
