@@ -45,9 +45,9 @@ void add_counts(Text& table, const Report& report)
 void add_stages(Text& table, const Report& report)
 {
     if (report.stages.empty()) return;
-    table += "  stage              seconds   share       count\n";
+    table += "  stage                                seconds    share       count\n";
     for (const auto& stage : report.stages)
-        fmt::format_to(std::back_inserter(table), "    {:<16} {:>8.3f}  {:>5.1f} %  {:>10}\n", terminal_safe(stage.stage), stage.seconds,
+        fmt::format_to(std::back_inserter(table), "    {:<32} {:>9.3f}  {:>5.1f} %  {:>10}\n", terminal_safe(stage.stage), stage.seconds,
                        report.seconds > 0 ? 100 * stage.seconds / report.seconds : 0., count(stage.count));
 }
 
