@@ -33,13 +33,13 @@ void write_tool(const TemporaryFolder& folder, const std::string& name, const st
 
 std::string quoted(const fs::path& path) { return std::string("'").append(path.string()).append("'"); }
 
-/// Runs a bash command where dpkg-query knows only the package "there", and apt-get and cmake only note their arguments.
+/// Runs a bash command where dpkg-query knows only the package "there", and apt-get and sudo note their arguments.
 Outcome run(const TemporaryFolder& folder, const std::string& command)
 {
     const std::string calls = quoted(folder.path() / "calls");
     write_tool(folder, "dpkg-query", "[[ ${!#} == there ]] && echo -n installed");
     write_tool(folder, "apt-get", "echo \"apt-get $*\" >>" + calls);
-    write_tool(folder, "sudo", "exec \"$@\"");
+    write_tool(folder, "sudo", "echo \"sudo $*\" >>" + calls + "; exec \"$@\"");
     const std::string shell = "PATH=" + quoted(folder.path() / "bin") + ":$PATH; " + command;
     folder.write("script.sh", shell + "\n");
     const std::string line = "bash " + quoted(folder.path() / "script.sh") + " >" + quoted(folder.path() / "output") + " 2>&1";
@@ -74,6 +74,23 @@ TEST(Scripts, FailedUpdateStopsTheScript)
     const Outcome outcome = run(folder, helper + "apt-get() { :; }; as_root() { return 100; }; install_packages away; echo went on");
     EXPECT_EQ(outcome.exit_code, 100) << outcome.output;
     EXPECT_THAT(outcome.output, testing::Not(HasSubstr("went on")));
+}
+
+TEST(Scripts, OthersThanRootInstallThroughSudo)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome = run(folder, helper + "id() { echo 1000; }; install_packages away");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+    EXPECT_THAT(outcome.calls, testing::StartsWith("sudo env DEBIAN_FRONTEND=noninteractive apt-get update"));
+}
+
+TEST(Scripts, WithoutRootAndSudoASentenceSaysSo)
+{
+    const TemporaryFolder folder;
+    const Outcome outcome = run(folder, helper + "id() { echo 1000; }; command() { return 1; }; install_packages away");
+    EXPECT_EQ(outcome.exit_code, 1) << outcome.output;
+    EXPECT_THAT(outcome.output, HasSubstr("needs root"));
+    EXPECT_EQ(outcome.calls, "");
 }
 
 TEST(Scripts, UnknownSceneIsRefusedBeforeAnythingIsInstalled)
