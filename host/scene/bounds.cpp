@@ -24,8 +24,12 @@ Bounds bounds_of(const Shape& shape)
         case Shape::Type::mesh:
             for (const Vec3& vertex : shape.mesh.vertices) bounds.grow(vertex);
             break;
-        case Shape::Type::sphere: grow_around(bounds, origin, Vec3(glm::length(x))); break;
-        case Shape::Type::disk: grow_around(bounds, origin, reach(x, y)); break;
+        case Shape::Type::sphere:
+            grow_around(bounds, origin, Vec3(glm::length(x)));
+            break;
+        case Shape::Type::disk:
+            grow_around(bounds, origin, reach(x, y));
+            break;
         case Shape::Type::cylinder:
             grow_around(bounds, origin, reach(x, y));
             grow_around(bounds, origin + z, reach(x, y));

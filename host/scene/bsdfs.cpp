@@ -22,8 +22,9 @@ double read_index(Properties& properties, const std::string& name, const std::st
     const std::string material = properties.text(name, fallback);
     const auto index = refractive_index(material);
     if (!index)
-        properties.refuse_parameter(name, fmt::format("{} = {} is not a material with a known index of refraction{}; known: {}", name, in_quotes(material),
-                                                      suggestion(material, named_refractive_indices()), join(named_refractive_indices())));
+        properties.refuse_parameter(
+            name, fmt::format("{} = {} is not a material with a known index of refraction{}; known: {}", name, in_quotes(material),
+                              suggestion(material, named_refractive_indices()), join(named_refractive_indices())));
     return *index;
 }
 
@@ -32,7 +33,8 @@ Bsdf read_dielectric(Properties& properties)
     Bsdf bsdf{.type = Bsdf::Type::dielectric, .reflectance = Rgb(1)};
     bsdf.eta = read_index(properties, "int_ior", "bk7") / read_index(properties, "ext_ior", "air");
     // 100: no material comes near, and beyond it the squares of Snell's law lose every digit of the direction.
-    if (!(bsdf.eta > .01 && bsdf.eta < 100)) properties.refuse_parameter("int_ior", fmt::format("int_ior / ext_ior = {} must lie between .01 and 100", bsdf.eta));
+    if (!(bsdf.eta > .01 && bsdf.eta < 100))
+        properties.refuse_parameter("int_ior", fmt::format("int_ior / ext_ior = {} must lie between .01 and 100", bsdf.eta));
     bsdf.reflectance = properties.colour("specular_reflectance", Rgb(1), Range::between(0, 1));
     bsdf.specular_transmittance = properties.colour("specular_transmittance", Rgb(1), Range::between(0, 1));
     return bsdf;
@@ -43,8 +45,11 @@ Bsdf read_conductor(Properties& properties)
     Bsdf bsdf{.type = Bsdf::Type::conductor};
     const std::string material = properties.text("material", "none");
     if (material != "none")
-        properties.refuse_parameter("material", fmt::format("material = {} is not supported: Tyndall carries no measured metals; give eta and k as <rgb>, or material "
-                                                            "\"none\" for a perfect mirror", in_quotes(material)));
+        properties.refuse_parameter(
+            "material",
+            fmt::format("material = {} is not supported: Tyndall carries no measured metals; give eta and k as <rgb>, or material "
+                        "\"none\" for a perfect mirror",
+                        in_quotes(material)));
     bsdf.conductor_eta = properties.colour("eta", Rgb(0), Range::not_negative());
     bsdf.conductor_k = properties.colour("k", Rgb(1), Range::not_negative());
     bsdf.reflectance = properties.colour("specular_reflectance", Rgb(1), Range::between(0, 1));
@@ -55,11 +60,13 @@ int read_twosided(SceneBuilder& builder, Properties& properties)
 {
     const auto sides = properties.nested("bsdf");
     if (sides.empty() || sides.size() > 2)
-        refuse(properties.where(), fmt::format("{}: {} bsdfs inside; it takes one, or one for the front and one for the back", properties.title(), sides.size()));
+        refuse(properties.where(), fmt::format("{}: {} bsdfs inside; it takes one, or one for the front and one for the back",
+                                               properties.title(), sides.size()));
     for (const Nested& side : sides) {
         const std::string type = side.object->value_of("type");
         if (type == "twosided" || type == "null" || type == "dielectric")
-            refuse(side.mention->where, fmt::format("{}: a {} bsdf cannot be a side; only what lets no light through can", properties.title(), in_quotes(type)));
+            refuse(side.mention->where,
+                   fmt::format("{}: a {} bsdf cannot be a side; only what lets no light through can", properties.title(), in_quotes(type)));
     }
     Bsdf bsdf = builder.scene.bsdfs[static_cast<std::size_t>(read_bsdf(builder, *sides[0].object))];
     bsdf.name = properties.id_or_type(), bsdf.where = properties.where(), bsdf.two_sided = true;
@@ -71,7 +78,8 @@ int read_twosided(SceneBuilder& builder, Properties& properties)
 Bsdf read_one_sided(Properties& properties)
 {
     if (properties.type() == "null") return {.type = Bsdf::Type::null, .reflectance = Rgb(0)};
-    if (properties.type() == "diffuse") return {.type = Bsdf::Type::diffuse, .reflectance = properties.colour("reflectance", Rgb(.5), Range::between(0, 1))};
+    if (properties.type() == "diffuse")
+        return {.type = Bsdf::Type::diffuse, .reflectance = properties.colour("reflectance", Rgb(.5), Range::between(0, 1))};
     if (properties.type() == "dielectric") return read_dielectric(properties);
     if (properties.type() == "conductor") return read_conductor(properties);
     properties.refuse_type({"null", "diffuse", "twosided", "dielectric", "conductor"});

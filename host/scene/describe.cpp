@@ -15,10 +15,16 @@ namespace {
 double degrees(double radians) { return radians * 180 / std::numbers::pi; }
 
 /// 0.6, or 0.15 0.4 1 if the channels differ.
-std::string words(const Vec3& v) { return v.x == v.y && v.y == v.z ? fmt::format("{:.6g}", v.x) : fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z); }
+std::string words(const Vec3& v)
+{
+    return v.x == v.y && v.y == v.z ? fmt::format("{:.6g}", v.x) : fmt::format("{:.6g} {:.6g} {:.6g}", v.x, v.y, v.z);
+}
 std::string point_words(const Vec3& v) { return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x, v.y, v.z); }
 
-std::string medium_name(const Scene& scene, int medium) { return medium == vacuum ? "vacuum" : in_quotes(scene.media[static_cast<std::size_t>(medium)].name); }
+std::string medium_name(const Scene& scene, int medium)
+{
+    return medium == vacuum ? "vacuum" : in_quotes(scene.media[static_cast<std::size_t>(medium)].name);
+}
 
 const char* type_name(Bsdf::Type type)
 {
@@ -48,51 +54,64 @@ double diagonal(const Scene& scene) { return 2 * bounds_of(scene).radius(); }
 std::string camera_words(const Scene& scene)
 {
     const Camera& camera = scene.camera;
-    std::string text = fmt::format("camera     at {}, {:.6g} degrees wide, clips {:.6g} to {:.6g}, in {}\n", point_words(to_file_space(scene, Vec3(camera.to_world[3]))),
-                                   degrees(camera.fov_x), camera.near_clip * scene.unit, camera.far_clip * scene.unit, medium_name(scene, camera.medium));
+    std::string text = fmt::format("camera     at {}, {:.6g} degrees wide, clips {:.6g} to {:.6g}, in {}\n",
+                                   point_words(to_file_space(scene, Vec3(camera.to_world[3]))), degrees(camera.fov_x),
+                                   camera.near_clip * scene.unit, camera.far_clip * scene.unit, medium_name(scene, camera.medium));
     text += fmt::format("film       {} x {} pixels", camera.width, camera.height);
     if (camera.crop_width != camera.width || camera.crop_height != camera.height)
         text += fmt::format(", cropped to {} x {} at ({}, {})", camera.crop_width, camera.crop_height, camera.crop_x, camera.crop_y);
-    text += camera.filter.type == Filter::Type::box ? ", box filter\n" : fmt::format(", gaussian filter of {:.6g} pixels\n", camera.filter.stddev);
+    text += camera.filter.type == Filter::Type::box ? ", box filter\n"
+                                                    : fmt::format(", gaussian filter of {:.6g} pixels\n", camera.filter.stddev);
     return text;
 }
 
 std::string medium_words(const Scene& scene, const Medium& medium)
 {
-    const std::string phase = medium.phase.type == PhaseFunction::Type::isotropic ? "isotropic" : fmt::format("Henyey-Greenstein g = {:.6g}", medium.phase.g);
-    return fmt::format("medium     {}: sigma_t {}, albedo {}, {}; optical thickness across the scene {}\n", in_quotes(medium.name), words(medium.sigma_t / scene.unit),
-                       words(medium.albedo), phase, words(medium.sigma_t * diagonal(scene)));
+    const std::string phase =
+        medium.phase.type == PhaseFunction::Type::isotropic ? "isotropic" : fmt::format("Henyey-Greenstein g = {:.6g}", medium.phase.g);
+    return fmt::format("medium     {}: sigma_t {}, albedo {}, {}; optical thickness across the scene {}\n", in_quotes(medium.name),
+                       words(medium.sigma_t / scene.unit), words(medium.albedo), phase, words(medium.sigma_t * diagonal(scene)));
 }
 
 std::string shape_words(const Scene& scene, const Shape& shape)
 {
     std::string text = fmt::format("shape      {}: ", in_quotes(shape.name));
     if (shape.type == Shape::Type::mesh)
-        text += fmt::format("{} triangles, {}", shape.mesh.triangles.size(), !shape.mesh.closed ? "open" : shape.mesh.convex ? "closed, convex" : "closed, not convex");
+        text += fmt::format("{} triangles, {}", shape.mesh.triangles.size(),
+                            !shape.mesh.closed  ? "open"
+                            : shape.mesh.convex ? "closed, convex"
+                                                : "closed, not convex");
     else
         text += type_name(shape.type);
     text += fmt::format(", {}", type_name(scene.bsdfs[static_cast<std::size_t>(shape.bsdf)].type));
     if (shape.flip_normals) text += ", normals flipped";
     if (shape.emitter != none) text += ", glows";
-    if (shape.medium_boundary) text += fmt::format(", {} inside and {} outside", medium_name(scene, shape.interior), medium_name(scene, shape.exterior));
+    if (shape.medium_boundary)
+        text += fmt::format(", {} inside and {} outside", medium_name(scene, shape.interior), medium_name(scene, shape.exterior));
     return text + "\n";
 }
 
 std::string emitter_words(const Scene& scene, const Emitter& emitter)
 {
-    std::string text = fmt::format("emitter    {}: {} {}", in_quotes(emitter.name), type_name(emitter.type), words(file_value(scene, emitter)));
-    if (emitter.type == Emitter::Type::point || emitter.type == Emitter::Type::spot) text += " at " + point_words(to_file_space(scene, emitter.position));
-    if (emitter.type == Emitter::Type::spot) text += fmt::format(", {:.6g} degrees with full light within {:.6g}", degrees(emitter.cutoff), degrees(emitter.beam));
-    if (emitter.type == Emitter::Type::spot || emitter.type == Emitter::Type::directional) text += " towards " + point_words(emitter.direction);
+    std::string text =
+        fmt::format("emitter    {}: {} {}", in_quotes(emitter.name), type_name(emitter.type), words(file_value(scene, emitter)));
+    if (emitter.type == Emitter::Type::point || emitter.type == Emitter::Type::spot)
+        text += " at " + point_words(to_file_space(scene, emitter.position));
+    if (emitter.type == Emitter::Type::spot)
+        text += fmt::format(", {:.6g} degrees with full light within {:.6g}", degrees(emitter.cutoff), degrees(emitter.beam));
+    if (emitter.type == Emitter::Type::spot || emitter.type == Emitter::Type::directional)
+        text += " towards " + point_words(emitter.direction);
     if (emitter.shape != none) text += " on shape " + in_quotes(scene.shapes[static_cast<std::size_t>(emitter.shape)].name);
     return text + (emitter.medium == vacuum ? "" : ", in " + medium_name(scene, emitter.medium)) + "\n";
 }
 
 std::string bsdf_words(const Bsdf& bsdf)
 {
-    std::string text = fmt::format("bsdf       {}: {}{}", in_quotes(bsdf.name), type_name(bsdf.type), bsdf.two_sided ? ", on both sides" : "");
+    std::string text =
+        fmt::format("bsdf       {}: {}{}", in_quotes(bsdf.name), type_name(bsdf.type), bsdf.two_sided ? ", on both sides" : "");
     if (bsdf.type != Bsdf::Type::null) text += " reflectance " + words(bsdf.reflectance);
-    if (bsdf.type == Bsdf::Type::dielectric) text += fmt::format(", transmittance {}, relative index {:.6g}", words(bsdf.specular_transmittance), bsdf.eta);
+    if (bsdf.type == Bsdf::Type::dielectric)
+        text += fmt::format(", transmittance {}, relative index {:.6g}", words(bsdf.specular_transmittance), bsdf.eta);
     if (bsdf.type == Bsdf::Type::conductor) text += fmt::format(", eta {}, k {}", words(bsdf.conductor_eta), words(bsdf.conductor_k));
     return text + "\n";
 }
@@ -105,10 +124,12 @@ std::string describe(const Scene& scene)
     std::size_t triangles = 0;
     for (const Shape& shape : scene.shapes) triangles += shape.mesh.triangles.size();
     std::string text = fmt::format("scene      {}, hash {:016x}\n", in_quotes(scene.file), scene.hash);
-    text += fmt::format("bounds     {} to {}, {} shapes with {} triangles; one render-space unit is {:g}\n", point_words(to_file_space(scene, bounds.low)),
-                        point_words(to_file_space(scene, bounds.high)), scene.shapes.size(), triangles, scene.unit);
+    text += fmt::format("bounds     {} to {}, {} shapes with {} triangles; one render-space unit is {:g}\n",
+                        point_words(to_file_space(scene, bounds.low)), point_words(to_file_space(scene, bounds.high)), scene.shapes.size(),
+                        triangles, scene.unit);
     text += camera_words(scene);
-    text += fmt::format("integrator {}, max_depth {}\n", scene.integrator.empty() ? "(none named)" : in_quotes(scene.integrator), scene.max_depth);
+    text += fmt::format("integrator {}, max_depth {}\n", scene.integrator.empty() ? "(none named)" : in_quotes(scene.integrator),
+                        scene.max_depth);
     for (const Medium& medium : scene.media) text += medium_words(scene, medium);
     for (const Shape& shape : scene.shapes) text += shape_words(scene, shape);
     for (const Emitter& emitter : scene.emitters) text += emitter_words(scene, emitter);

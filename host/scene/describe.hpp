@@ -6,7 +6,8 @@
 
 namespace tyndall {
 
-/// For people: camera, film, media with their optical thickness across the scene, shapes, emitters, bsdfs, warnings; lengths in the scene file's units.
+/// For people: camera, film, media with their optical thickness across the scene, shapes, emitters, bsdfs, warnings; lengths in the scene
+/// file's units.
 std::string describe(const Scene& scene);
 
 }  // namespace tyndall

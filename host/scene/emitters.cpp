@@ -17,7 +17,8 @@ Emitter read_point(Properties& properties)
 {
     Emitter emitter{.type = Emitter::Type::point};
     emitter.value = properties.light_colour("intensity", Rgb(1));
-    if (properties.has("position") && properties.has("to_world")) properties.refuse_parameter("to_world", "position and to_world exclude each other");
+    if (properties.has("position") && properties.has("to_world"))
+        properties.refuse_parameter("to_world", "position and to_world exclude each other");
     const Vec3 position = properties.vector("position", Vec3(0));
     emitter.position = transform_point(properties.transform("to_world"), position);
     return emitter;
@@ -29,7 +30,8 @@ Emitter read_spot(Properties& properties)
     emitter.value = properties.light_colour("intensity", Rgb(1));
     const double cutoff = properties.real("cutoff_angle", 20, Range{.low = 0, .high = 180, .open = true});
     const double beam = properties.real("beam_width", cutoff * 3 / 4, Range::between(0, 180));
-    if (beam > cutoff) properties.refuse_parameter("beam_width", fmt::format("beam_width = {} must not exceed cutoff_angle = {}", beam, cutoff));
+    if (beam > cutoff)
+        properties.refuse_parameter("beam_width", fmt::format("beam_width = {} must not exceed cutoff_angle = {}", beam, cutoff));
     emitter.cutoff = radians(cutoff), emitter.beam = radians(beam);
     const Mat4 to_world = properties.transform("to_world");
     emitter.position = transform_point(to_world, Vec3(0));
@@ -41,7 +43,8 @@ Emitter read_directional(Properties& properties)
 {
     Emitter emitter{.type = Emitter::Type::directional};
     emitter.value = properties.light_colour("irradiance", Rgb(1));
-    if (properties.has("direction") && properties.has("to_world")) properties.refuse_parameter("to_world", "direction and to_world exclude each other");
+    if (properties.has("direction") && properties.has("to_world"))
+        properties.refuse_parameter("to_world", "direction and to_world exclude each other");
     const Vec3 direction = transform_direction(properties.transform("to_world"), properties.vector("direction", Vec3(0, 0, 1)));
     if (!(glm::length(direction) > 0)) properties.refuse_parameter("direction", "direction has length zero");
     emitter.direction = glm::normalize(direction);
@@ -74,9 +77,11 @@ int read_emitter(SceneBuilder& builder, const XmlElement& element, int shape)
     const bool is_area = emitter.type == Emitter::Type::area;
     if (is_area && shape == none) refuse(properties.where(), properties.title() + ": an area emitter stands inside the <shape> that glows");
     if (!is_area && shape != none)
-        refuse(properties.where(), fmt::format("{}: type {} cannot stand inside a <shape>; only an area emitter can", properties.title(), in_quotes(properties.type())));
+        refuse(properties.where(), fmt::format("{}: type {} cannot stand inside a <shape>; only an area emitter can", properties.title(),
+                                               in_quotes(properties.type())));
     for (int axis = 0; axis < 3; ++axis)
-        if (!(std::abs(emitter.position[axis]) <= largest_coordinate)) refuse(properties.where(), properties.title() + ": the position is too far out");
+        if (!(std::abs(emitter.position[axis]) <= largest_coordinate))
+            refuse(properties.where(), properties.title() + ": the position is too far out");
     emitter.medium = read_only_medium(builder, properties);
     emitter.shape = shape, emitter.name = properties.id_or_type(), emitter.where = properties.where();
     properties.finish();

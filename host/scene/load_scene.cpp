@@ -22,7 +22,8 @@ void read_integrator(SceneBuilder& builder, const XmlElement& element, int depth
     for (const XmlElement& child : element.children) {
         const std::string name = child.value_of("name");
         if (name != "max_depth" && edit_distance(name, "max_depth") <= 2)
-            builder.warn(child.where, fmt::format("{}: {} is not looked at; was \"max_depth\" meant?", properties.title(), in_quotes(name)));
+            builder.warn(child.where,
+                         fmt::format("{}: {} is not looked at; was \"max_depth\" meant?", properties.title(), in_quotes(name)));
     }
     for (const Nested& nested : properties.nested("integrator")) read_integrator(builder, *nested.object, depth + 1);
     for (const char* foreign : {"sampler", "bsdf", "texture", "film", "rfilter"}) properties.nested(foreign);
@@ -51,7 +52,8 @@ void read_root(SceneBuilder& builder)
     const XmlElement& root = builder.document.root();
     require_known_attributes(root, {"version"});
     for (const XmlElement& child : root.children)
-        if (child.tag == "ref") refuse(child.where, "<ref> at the top of the scene refers to an object that is in the scene anyway; remove it");
+        if (child.tag == "ref")
+            refuse(child.where, "<ref> at the top of the scene refers to an object that is in the scene anyway; remove it");
     Properties properties(root, builder.document, "scene");
     if (const XmlElement* integrator = properties.single("integrator")) read_integrator(builder, *integrator, 1);
     read_sensors(builder, properties);

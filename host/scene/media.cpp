@@ -33,7 +33,8 @@ int read_medium(SceneBuilder& builder, const XmlElement& element)
     for (const char* preset : {"material", "preset"})
         if (properties.has(preset)) properties.refuse_parameter(preset, "presets of materials are not supported; give sigma_t and albedo");
     for (const char* old : {"sigma_s", "sigma_a"})
-        if (properties.has(old)) properties.refuse_parameter(old, fmt::format("{} is not supported; Mitsuba 3 takes sigma_t and albedo", old));
+        if (properties.has(old))
+            properties.refuse_parameter(old, fmt::format("{} is not supported; Mitsuba 3 takes sigma_t and albedo", old));
     const double scale = properties.real("scale", 1, Range::not_negative());
     Medium medium{.name = properties.id_or_type(), .where = properties.where()};
     medium.sigma_t = scale * properties.colour("sigma_t", Rgb(1), Range::not_negative());

@@ -12,7 +12,8 @@ namespace {
 
 bool usable(const Vec3& v)
 {
-    return std::abs(v.x) <= largest_coordinate && std::abs(v.y) <= largest_coordinate && std::abs(v.z) <= largest_coordinate;  // false for NaN
+    return std::abs(v.x) <= largest_coordinate && std::abs(v.y) <= largest_coordinate &&
+           std::abs(v.z) <= largest_coordinate;  // false for NaN
 }
 
 Vec3 doubled_area_normal(const Mesh& mesh, const glm::uvec3& triangle)
@@ -63,14 +64,17 @@ void finish_mesh(MeshFile& file, std::size_t concave_polygons)
     Mesh& mesh = file.mesh;
     if (mesh.triangles.empty()) throw MeshFault("there is no triangle in it");
     for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-        if (!usable(mesh.vertices[i])) throw MeshFault(fmt::format("vertex {} has a coordinate that is not a number or beyond {:g}", i, largest_coordinate));
+        if (!usable(mesh.vertices[i]))
+            throw MeshFault(fmt::format("vertex {} has a coordinate that is not a number or beyond {:g}", i, largest_coordinate));
     for (std::size_t i = 0; i < mesh.normals.size(); ++i)
         if (!usable(mesh.normals[i])) throw MeshFault(fmt::format("normal {} is not a finite vector", i));
     for (std::size_t i = 0; i < mesh.uvs.size(); ++i)
-        if (!std::isfinite(mesh.uvs[i].x) || !std::isfinite(mesh.uvs[i].y)) throw MeshFault(fmt::format("texture coordinate {} is not finite", i));
+        if (!std::isfinite(mesh.uvs[i].x) || !std::isfinite(mesh.uvs[i].y))
+            throw MeshFault(fmt::format("texture coordinate {} is not finite", i));
     complete_normals(mesh);
     if (concave_polygons > 0)
-        file.remarks.push_back(fmt::format("{} polygons are concave and were cut into triangles that overlap; triangulate the mesh first", concave_polygons));
+        file.remarks.push_back(
+            fmt::format("{} polygons are concave and were cut into triangles that overlap; triangulate the mesh first", concave_polygons));
 }
 
 }  // namespace tyndall

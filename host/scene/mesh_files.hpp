@@ -1,6 +1,6 @@
 #pragma once
-/// Meshes out of the bytes of OBJ and PLY files. Every count is checked against the bytes that are there before memory is asked for; every number
-/// is finite, every index in range.
+/// Meshes out of the bytes of OBJ and PLY files. Every count is checked against the bytes that are there before memory is asked for; every
+/// number is finite, every index in range.
 #include <cstdint>
 #include <span>
 #include <stdexcept>
@@ -26,8 +26,8 @@ struct MeshFile {
 /// Normals and texture coordinates are taken if every corner has them.
 MeshFile read_obj(std::string_view bytes);
 
-/// PLY 1.0, ascii, binary_little_endian or binary_big_endian: element vertex with x y z, optional nx ny nz and u v (or s t), element face with a list of
-/// vertex indices. Other properties and elements are passed over.
+/// PLY 1.0, ascii, binary_little_endian or binary_big_endian: element vertex with x y z, optional nx ny nz and u v (or s t), element face
+/// with a list of vertex indices. Other properties and elements are passed over.
 MeshFile read_ply(std::string_view bytes);
 
 /// Adds a polygon as a fan from its first corner. True if the fan is not the polygon, because a corner points inwards.

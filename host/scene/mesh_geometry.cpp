@@ -55,20 +55,22 @@ bool all_behind_all(const Mesh& mesh, double tolerance)
     return true;
 }
 
-/// Across every edge the neighbour's far corner lies behind the plane, by the edge's own size when the mesh is fine: a shallow dent must not pass.
+/// Across every edge the neighbour's far corner lies behind the plane, by the edge's own size when the mesh is fine: a shallow dent must
+/// not pass.
 bool convex_at_edges(const Mesh& mesh, double tolerance, bool relative_to_edge)
 {
     const std::vector<Edge> edges = sorted_edges(mesh);
     for (std::size_t i = 0; i + 1 < edges.size(); i += 2) {
         const glm::uvec3& triangle = mesh.triangles[edges[i].triangle];
         const double size = relative_to_edge ? glm::length(mesh.vertices[edges[i].high] - mesh.vertices[edges[i].low]) : 1;
-        if (!(glm::dot(unit_normal(mesh, triangle), mesh.vertices[edges[i + 1].opposite] - mesh.vertices[triangle.x]) <= tolerance * size)) return false;
+        if (!(glm::dot(unit_normal(mesh, triangle), mesh.vertices[edges[i + 1].opposite] - mesh.vertices[triangle.x]) <= tolerance * size))
+            return false;
     }
     return true;
 }
 
-/// Every triangle faces away from the mesh's middle, and together they cover the sphere around it once. With convexity at the edges that is convexity:
-/// seen from the middle, the surface is a graph over the sphere, and it bends inwards nowhere.
+/// Every triangle faces away from the mesh's middle, and together they cover the sphere around it once. With convexity at the edges that is
+/// convexity: seen from the middle, the surface is a graph over the sphere, and it bends inwards nowhere.
 bool star_shaped_once(const Mesh& mesh)
 {
     Vec3 middle(0);
@@ -111,14 +113,17 @@ void drop_unused_vertices(Mesh& mesh)
 
 Mesh rectangle_mesh()
 {
-    return {.vertices = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, .uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, .triangles = {{0, 1, 2}, {0, 2, 3}}};
+    return {.vertices = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}},
+            .uvs = {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+            .triangles = {{0, 1, 2}, {0, 2, 3}}};
 }
 
 Mesh cube_mesh()
 {
     Mesh mesh;
     for (int i = 0; i < 8; ++i) mesh.vertices.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-    constexpr std::array<std::array<std::uint32_t, 4>, 6> faces{{{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+    constexpr std::array<std::array<std::uint32_t, 4>, 6> faces{
+        {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
     for (const auto& [a, b, c, d] : faces) mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
     return mesh;
 }
@@ -177,7 +182,8 @@ bool is_convex(const Mesh& mesh)
 void classify_mesh(Mesh& mesh)
 {
     const std::vector<std::uint32_t> weld = welded_vertices(mesh);
-    std::erase_if(mesh.triangles, [&](const glm::uvec3& t) { return weld[t.x] == weld[t.y] || weld[t.y] == weld[t.z] || weld[t.z] == weld[t.x]; });
+    std::erase_if(mesh.triangles,
+                  [&](const glm::uvec3& t) { return weld[t.x] == weld[t.y] || weld[t.y] == weld[t.z] || weld[t.z] == weld[t.x]; });
     drop_unused_vertices(mesh);
     mesh.closed = is_closed(mesh);
     mesh.convex = mesh.closed && is_convex(mesh);

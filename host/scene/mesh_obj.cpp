@@ -61,8 +61,9 @@ private:
         if (key == "vn") return normals_.push_back(vector_of<Vec3>(3, 3));
         if (key == "vt") return uvs_.push_back(vector_of<Vec2>(2, 3));
         if (key == "f") return read_face();
-        constexpr std::array<std::string_view, 18> passed_over{"o", "g", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "l", "p", "lod", "bevel",
-                                                               "c_interp", "d_interp", "shadow_obj", "trace_obj", "vp", "end"};
+        constexpr std::array<std::string_view, 18> passed_over{"o",        "g",        "s",          "mg",        "usemtl", "mtllib",
+                                                               "usemap",   "maplib",   "l",          "p",         "lod",    "bevel",
+                                                               "c_interp", "d_interp", "shadow_obj", "trace_obj", "vp",     "end"};
         if (std::find(passed_over.begin(), passed_over.end(), key) == passed_over.end())
             fail(in_quotes(key) + " is not supported; Tyndall reads v, vn, vt and f");
     }
@@ -70,7 +71,8 @@ private:
     template <class Vector>
     Vector vector_of(std::size_t least, std::size_t most) const
     {
-        if (words_.size() - 1 < least || words_.size() - 1 > most) fail(fmt::format("{} with {} numbers; it takes {}", words_[0], words_.size() - 1, least));
+        if (words_.size() - 1 < least || words_.size() - 1 > most)
+            fail(fmt::format("{} with {} numbers; it takes {}", words_[0], words_.size() - 1, least));
         Vector result;
         for (std::size_t i = 0; i + 1 < words_.size(); ++i) {
             const auto value = parse_real(words_[i + 1]);
@@ -101,7 +103,8 @@ private:
                 const auto index = parse_integer(digits);
                 const auto size = static_cast<std::int64_t>(sizes[part]);
                 if (!index) fail(in_quotes(word) + " is not a corner of a face");
-                if (*index == 0 || *index > size || *index < -size) fail(fmt::format("index {} is out of range: there are {} {} so far", *index, size, kinds[part]));
+                if (*index == 0 || *index > size || *index < -size)
+                    fail(fmt::format("index {} is out of range: there are {} {} so far", *index, size, kinds[part]));
                 corner[part] = *index > 0 ? *index - 1 : size + *index;
             }
             if (end == rest.size()) break;

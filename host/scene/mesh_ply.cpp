@@ -58,14 +58,22 @@ private:
         }
         bytes_.remove_prefix(size);
         switch (type) {
-            case Number::i8: return static_cast<std::int8_t>(bits);
-            case Number::u8: return static_cast<std::uint8_t>(bits);
-            case Number::i16: return static_cast<std::int16_t>(bits);
-            case Number::u16: return static_cast<std::uint16_t>(bits);
-            case Number::i32: return static_cast<std::int32_t>(bits);
-            case Number::u32: return static_cast<std::uint32_t>(bits);
-            case Number::f32: return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-            case Number::f64: return std::bit_cast<double>(bits);
+            case Number::i8:
+                return static_cast<std::int8_t>(bits);
+            case Number::u8:
+                return static_cast<std::uint8_t>(bits);
+            case Number::i16:
+                return static_cast<std::int16_t>(bits);
+            case Number::u16:
+                return static_cast<std::uint16_t>(bits);
+            case Number::i32:
+                return static_cast<std::int32_t>(bits);
+            case Number::u32:
+                return static_cast<std::uint32_t>(bits);
+            case Number::f32:
+                return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+            case Number::f64:
+                return std::bit_cast<double>(bits);
         }
         return 0;
     }
@@ -82,9 +90,11 @@ public:
     {
         for (const ply::Element& element : header_.elements) {
             std::size_t row_bytes = 0;
-            for (const ply::Property& property : element.properties) row_bytes += numbers_.least_bytes(property.count.value_or(property.type));
+            for (const ply::Property& property : element.properties)
+                row_bytes += numbers_.least_bytes(property.count.value_or(property.type));
             if (element.count > 0 && !numbers_.can_hold(element.count, row_bytes))
-                throw MeshFault(fmt::format("{} rows of element {} cannot be in the {} bytes that are left", element.count, in_quotes(element.name), numbers_.left()));
+                throw MeshFault(fmt::format("{} rows of element {} cannot be in the {} bytes that are left", element.count,
+                                            in_quotes(element.name), numbers_.left()));
             if (element.name == "vertex")
                 read_vertices(element);
             else if (element.name == "face")
@@ -124,8 +134,9 @@ private:
     void read_vertices(const ply::Element& element)
     {
         if (element.count > std::numeric_limits<std::uint32_t>::max()) throw MeshFault("more than 2^32 vertices");
-        const std::array<int, 8> columns{find(element, {"x"}),  find(element, {"y"}),  find(element, {"z"}),      find(element, {"nx"}),
-                                         find(element, {"ny"}), find(element, {"nz"}), find(element, {"u", "s"}), find(element, {"v", "t"})};
+        const std::array<int, 8> columns{find(element, {"x"}),      find(element, {"y"}),     find(element, {"z"}),
+                                         find(element, {"nx"}),     find(element, {"ny"}),    find(element, {"nz"}),
+                                         find(element, {"u", "s"}), find(element, {"v", "t"})};
         if (columns[0] == none || columns[1] == none || columns[2] == none) throw MeshFault("the vertices have no x, y and z");
         const bool normals = columns[3] != none && columns[4] != none && columns[5] != none, uvs = columns[6] != none && columns[7] != none;
         std::vector<double> row(element.properties.size());
@@ -147,7 +158,8 @@ private:
     {
         if (!has_vertices_) throw MeshFault("element \"face\" stands before element \"vertex\"");
         const auto is_indices = [](const ply::Property& p) { return p.count && (p.name == "vertex_indices" || p.name == "vertex_index"); };
-        if (std::none_of(element.properties.begin(), element.properties.end(), is_indices)) throw MeshFault("the faces have no list vertex_indices");
+        if (std::none_of(element.properties.begin(), element.properties.end(), is_indices))
+            throw MeshFault("the faces have no list vertex_indices");
         for (std::uint64_t row = 0; row < element.count; ++row)
             for (const ply::Property& property : element.properties)
                 if (is_indices(property))

@@ -12,10 +12,22 @@ namespace {
 std::optional<Number> number_named(std::string_view name)
 {
     constexpr std::array<std::pair<std::string_view, Number>, 16> names{{
-        {"char", Number::i8}, {"uchar", Number::u8}, {"short", Number::i16}, {"ushort", Number::u16},
-        {"int", Number::i32}, {"uint", Number::u32}, {"float", Number::f32}, {"double", Number::f64},
-        {"int8", Number::i8}, {"uint8", Number::u8}, {"int16", Number::i16}, {"uint16", Number::u16},
-        {"int32", Number::i32}, {"uint32", Number::u32}, {"float32", Number::f32}, {"float64", Number::f64},
+        {"char", Number::i8},
+        {"uchar", Number::u8},
+        {"short", Number::i16},
+        {"ushort", Number::u16},
+        {"int", Number::i32},
+        {"uint", Number::u32},
+        {"float", Number::f32},
+        {"double", Number::f64},
+        {"int8", Number::i8},
+        {"uint8", Number::u8},
+        {"int16", Number::i16},
+        {"uint16", Number::u16},
+        {"int32", Number::i32},
+        {"uint32", Number::u32},
+        {"float32", Number::f32},
+        {"float64", Number::f64},
     }};
     for (const auto& [known, number] : names)
         if (name == known) return number;
@@ -91,7 +103,8 @@ private:
         Property property{.name = std::string(words.back()), .type = *type};
         if (is_list) {
             property.count = number_named(words[2]);
-            if (!property.count || *property.count == Number::f32 || *property.count == Number::f64) fail(in_quotes(words[2]) + " is not a type of count");
+            if (!property.count || *property.count == Number::f32 || *property.count == Number::f64)
+                fail(in_quotes(words[2]) + " is not a type of count");
         }
         return property;
     }

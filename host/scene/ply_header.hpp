@@ -21,8 +21,8 @@ inline std::size_t bytes_of(Number number)
 
 struct Property {
     std::string name;
-    Number type;                 ///< of the value or the list's items
-    std::optional<Number> count; ///< of a list's length
+    Number type;                  ///< of the value or the list's items
+    std::optional<Number> count;  ///< of a list's length
 };
 
 struct Element {

@@ -12,16 +12,21 @@ namespace tyndall {
 namespace {
 
 const std::vector<std::string> parameter_tags{"string", "float", "integer", "boolean", "point", "vector", "rgb", "spectrum", "transform"};
-const std::vector<std::string> object_tags{"integrator", "sampler", "sensor", "film", "rfilter", "medium", "phase", "shape", "bsdf", "emitter", "texture", "volume"};
+const std::vector<std::string> object_tags{"integrator", "sampler", "sensor", "film",    "rfilter", "medium",
+                                           "phase",      "shape",   "bsdf",   "emitter", "texture", "volume"};
 
 constexpr std::size_t most_parameters = 256;  ///< of one element
 
-bool among(const std::string& word, const std::vector<std::string>& words) { return std::find(words.begin(), words.end(), word) != words.end(); }
+bool among(const std::string& word, const std::vector<std::string>& words)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
 
 std::string tags_in_words(const std::vector<std::string>& tags)
 {
     std::string words;
-    for (std::size_t i = 0; i < tags.size(); ++i) words += fmt::format("{}<{}>", i == 0 ? "" : i + 1 == tags.size() ? " or " : ", ", tags[i]);
+    for (std::size_t i = 0; i < tags.size(); ++i)
+        words += fmt::format("{}<{}>", i == 0 ? "" : i + 1 == tags.size() ? " or " : ", ", tags[i]);
     return words;
 }
 
@@ -38,7 +43,8 @@ void require_known_attributes(const XmlElement& element, const std::vector<std::
 std::string Range::words() const
 {
     const bool low_end = low > -std::numeric_limits<double>::infinity(), high_end = high < std::numeric_limits<double>::infinity();
-    if (low_end && high_end) return open ? fmt::format("must lie strictly between {} and {}", low, high) : fmt::format("must lie between {} and {}", low, high);
+    if (low_end && high_end)
+        return open ? fmt::format("must lie strictly between {} and {}", low, high) : fmt::format("must lie between {} and {}", low, high);
     if (low_end && low == 0) return open ? "must be positive" : "must not be negative";
     if (low_end) return fmt::format("must be {} {}", open ? "greater than" : "at least", low);
     return high_end ? fmt::format("must be at most {}", high) : "may be any number";
@@ -73,7 +79,9 @@ void Properties::take(const XmlElement& child)
         if (name.empty()) refuse(child.where, fmt::format("{}: <{}> needs the attribute \"name\"", title_, child.tag));
         if (parameters_.size() == most_parameters) refuse(child.where, fmt::format("{}: more than {} parameters", title_, most_parameters));
         for (const Parameter& other : parameters_)
-            if (other.name == name) refuse(child.where, fmt::format("{}: {} is given twice, first at {}", title_, printable(name), to_string(other.element->where)));
+            if (other.name == name)
+                refuse(child.where,
+                       fmt::format("{}: {} is given twice, first at {}", title_, printable(name), to_string(other.element->where)));
         parameters_.push_back({.name = name, .element = &child});
     } else if (among(child.tag, object_tags) || typed_spectrum) {
         children_.push_back({.nested = {.object = &child, .mention = &child, .role = child.value_of("name")}});
@@ -91,12 +99,13 @@ Properties::Parameter* Properties::use(const std::string& name, const std::vecto
     for (Child& child : children_)
         if (child.nested.role == name)
             refuse(child.nested.mention->where,
-                   fmt::format("{}: {} as <{} type={}> is not supported; write it as {}", title_, printable(name), printable(child.nested.object->tag),
-                               in_quotes(child.nested.object->value_of("type")), tags_in_words(tags)));
+                   fmt::format("{}: {} as <{} type={}> is not supported; write it as {}", title_, printable(name),
+                               printable(child.nested.object->tag), in_quotes(child.nested.object->value_of("type")), tags_in_words(tags)));
     for (Parameter& parameter : parameters_) {
         if (parameter.name != name) continue;
         if (!among(parameter.element->tag, tags))
-            refuse(parameter.element->where, fmt::format("{}: {} is written as <{}>; it must be {}", title_, name, parameter.element->tag, tags_in_words(tags)));
+            refuse(parameter.element->where,
+                   fmt::format("{}: {} is written as <{}>; it must be {}", title_, name, parameter.element->tag, tags_in_words(tags)));
         parameter.used = true;
         return &parameter;
     }
@@ -150,13 +159,15 @@ void Properties::finish()
     const std::vector<std::string> known(asked_.begin(), asked_.end()), tags(asked_tags_.begin(), asked_tags_.end());
     for (const Parameter& parameter : parameters_)
         if (!parameter.used)
-            refuse(parameter.element->where, fmt::format("{}: unknown parameter {}{}{}", title_, in_quotes(parameter.name), suggestion(parameter.name, known),
-                                                         known.empty() ? "; it takes none" : "; it takes: " + join(known)));
+            refuse(parameter.element->where,
+                   fmt::format("{}: unknown parameter {}{}{}", title_, in_quotes(parameter.name), suggestion(parameter.name, known),
+                               known.empty() ? "; it takes none" : "; it takes: " + join(known)));
     for (const Child& child : children_)
         if (!child.used)
-            refuse(child.nested.mention->where, fmt::format("{}: <{} type={}> is not supported here{}", title_, printable(child.nested.object->tag),
-                                                            in_quotes(child.nested.object->value_of("type")),
-                                                            tags.empty() ? "; nothing can be nested in it" : "; it takes: " + join(tags)));
+            refuse(child.nested.mention->where,
+                   fmt::format("{}: <{} type={}> is not supported here{}", title_, printable(child.nested.object->tag),
+                               in_quotes(child.nested.object->value_of("type")),
+                               tags.empty() ? "; nothing can be nested in it" : "; it takes: " + join(tags)));
 }
 
 void Properties::refuse_parameter(const std::string& name, const std::string& message) const
@@ -166,7 +177,8 @@ void Properties::refuse_parameter(const std::string& name, const std::string& me
 
 void Properties::refuse_type(const std::vector<std::string>& supported) const
 {
-    refuse(element_.where, fmt::format("{} type {} is not supported{}; supported: {}", printable(element_.tag), in_quotes(type_), suggestion(type_, supported), join(supported)));
+    refuse(element_.where, fmt::format("{} type {} is not supported{}; supported: {}", printable(element_.tag), in_quotes(type_),
+                                       suggestion(type_, supported), join(supported)));
 }
 
 }  // namespace tyndall

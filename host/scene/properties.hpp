@@ -1,6 +1,6 @@
 #pragma once
-/// The parameters and nested objects of one element of a scene file. Whoever reads the element asks for each by name and type; `finish` refuses
-/// what nobody asked for, with the nearest name that was asked for.
+/// The parameters and nested objects of one element of a scene file. Whoever reads the element asks for each by name and type; `finish`
+/// refuses what nobody asked for, with the nearest name that was asked for.
 #include <limits>
 #include <set>
 #include <string>
@@ -25,9 +25,9 @@ struct Range {
 
 /// A nested object, written in place or named by a <ref>.
 struct Nested {
-    const XmlElement* object;  ///< the object itself
-    const XmlElement* mention; ///< the element that stands in the parent: the object or the ref
-    std::string role;          ///< its name attribute: "interior"
+    const XmlElement* object;   ///< the object itself
+    const XmlElement* mention;  ///< the element that stands in the parent: the object or the ref
+    std::string role;           ///< its name attribute: "interior"
 };
 
 class Properties {

@@ -22,7 +22,9 @@ const std::string& value_text(const XmlElement& element, const std::string& titl
 double real_of(const XmlElement& element, std::string_view text, const std::string& title)
 {
     const auto value = parse_real(text);
-    if (!value) refuse(element.where, fmt::format("{}: {} = {} is not a finite number", title, printable(element.value_of("name")), in_quotes(text)));
+    if (!value)
+        refuse(element.where,
+               fmt::format("{}: {} = {} is not a finite number", title, printable(element.value_of("name")), in_quotes(text)));
     return *value;
 }
 
@@ -69,7 +71,8 @@ std::string Properties::choice(const std::string& name, const std::string& fallb
 {
     const std::string value = text(name, fallback);
     if (std::find(choices.begin(), choices.end(), value) == choices.end())
-        refuse_parameter(name, fmt::format("{} = {} is not supported{}; supported: {}", name, in_quotes(value), suggestion(value, choices), join(choices)));
+        refuse_parameter(name, fmt::format("{} = {} is not supported{}; supported: {}", name, in_quotes(value), suggestion(value, choices),
+                                           join(choices)));
     return value;
 }
 
@@ -77,14 +80,17 @@ Rgb Properties::colour_of(const Parameter& parameter, bool is_light) const
 {
     const XmlElement& element = *parameter.element;
     if (element.tag == "spectrum" && is_light)
-        refuse(element.where, fmt::format("{}: {} as <spectrum> is not supported: a flat spectrum of light is not white in RGB; write it as <rgb>", title_,
-                                          printable(parameter.name)));
+        refuse(element.where,
+               fmt::format("{}: {} as <spectrum> is not supported: a flat spectrum of light is not white in RGB; write it as <rgb>", title_,
+                           printable(parameter.name)));
     if (element.tag == "spectrum" && element.find("filename"))
-        refuse(element.where, fmt::format("{}: {} from a spectrum file is not supported; write it as <rgb>", title_, printable(parameter.name)));
+        refuse(element.where,
+               fmt::format("{}: {} from a spectrum file is not supported; write it as <rgb>", title_, printable(parameter.name)));
     const std::string& text = value_text(element, title_);
     const auto pieces = split_list(text);
     if (element.tag == "spectrum" && (pieces.size() != 1 || text.find(':') != std::string::npos))
-        refuse(element.where, fmt::format("{}: {} as a spectrum of wavelengths is not supported; write it as <rgb>", title_, printable(parameter.name)));
+        refuse(element.where,
+               fmt::format("{}: {} as a spectrum of wavelengths is not supported; write it as <rgb>", title_, printable(parameter.name)));
     if (element.tag == "rgb" && text.starts_with('#'))
         refuse(element.where, fmt::format("{}: {} = {} is not supported: Mitsuba 3 takes linear numbers only; write three numbers", title_,
                                           printable(parameter.name), in_quotes(text)));

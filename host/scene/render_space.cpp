@@ -39,14 +39,16 @@ void move_emitter(Emitter& emitter, const Motion& motion)
     emitter.position = motion.point(emitter.position);
     emitter.value = emitter.value / motion.unit / motion.unit;
     for (int c = 0; c < 3; ++c)
-        if (!std::isfinite(emitter.value[c])) refuse(emitter.where, fmt::format("emitter {}: the intensity is too large for a scene this small", in_quotes(emitter.name)));
+        if (!std::isfinite(emitter.value[c]))
+            refuse(emitter.where, fmt::format("emitter {}: the intensity is too large for a scene this small", in_quotes(emitter.name)));
 }
 
 void move_medium(Medium& medium, const Motion& motion)
 {
     medium.sigma_t = medium.sigma_t * motion.unit;
     for (int c = 0; c < 3; ++c)
-        if (!std::isfinite(medium.sigma_t[c])) refuse(medium.where, fmt::format("medium {}: sigma_t is too large for a scene this large", in_quotes(medium.name)));
+        if (!std::isfinite(medium.sigma_t[c]))
+            refuse(medium.where, fmt::format("medium {}: sigma_t is too large for a scene this large", in_quotes(medium.name)));
 }
 
 }  // namespace
@@ -56,7 +58,8 @@ void to_render_space(Scene& scene)
     const Bounds bounds = bounds_of(scene);
     const double radius = bounds.radius();
     if (radius > largest_coordinate || (radius > 0 && radius < 1 / largest_coordinate))
-        refuse(scene.camera.where, fmt::format("the scene's half diagonal is {:g}; it must lie between {:g} and {:g}", radius, 1 / largest_coordinate, largest_coordinate));
+        refuse(scene.camera.where, fmt::format("the scene's half diagonal is {:g}; it must lie between {:g} and {:g}", radius,
+                                               1 / largest_coordinate, largest_coordinate));
     const Motion motion{.centre = bounds.centre(), .unit = radius > 0 ? unit_for(radius) : 1};
     for (Shape& shape : scene.shapes) move_shape(shape, motion);
     for (Emitter& emitter : scene.emitters) move_emitter(emitter, motion);

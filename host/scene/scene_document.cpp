@@ -18,7 +18,8 @@ void require_attributes(const XmlElement& element, const std::vector<std::string
             refuse(element.where, fmt::format("<{}> has no attribute {}{}; it takes: {}", printable(element.tag), in_quotes(attribute.name),
                                               suggestion(attribute.name, names), join(names)));
     for (const std::string& name : names)
-        if (element.value_of(name).empty()) refuse(element.where, fmt::format("<{}> needs the attribute {}", printable(element.tag), in_quotes(name)));
+        if (element.value_of(name).empty())
+            refuse(element.where, fmt::format("<{}> needs the attribute {}", printable(element.tag), in_quotes(name)));
 }
 
 void check_version(const XmlElement& scene)
@@ -31,7 +32,8 @@ void check_version(const XmlElement& scene)
     const auto valid = [](std::string_view piece) { return parse_integer(piece).value_or(-1) >= 0; };
     if (pieces.empty() || pieces.size() > 3 || !std::all_of(pieces.begin(), pieces.end(), valid))
         refuse(scene.where, "version " + in_quotes(*version) + " is not of the form 3.0.0");
-    if (*parse_integer(pieces[0]) < 2) refuse(scene.where, "version " + in_quotes(*version) + " is too old; scenes of version 2.0.0 and later are read");
+    if (*parse_integer(pieces[0]) < 2)
+        refuse(scene.where, "version " + in_quotes(*version) + " is too old; scenes of version 2.0.0 and later are read");
 }
 
 constexpr std::size_t longest_name = 100;
@@ -42,12 +44,14 @@ class Assembler {
 public:
     Assembler(SceneFiles& files, const std::map<std::string, std::string>& definitions, const std::string& main_file)
         : files_(files), definitions_(definitions), main_file_(main_file), parameters_(definitions)
-    {}
+    {
+    }
 
     XmlElement assemble(XmlElement root)
     {
         substitute(root);
-        if (root.tag != "scene") refuse(root.where, fmt::format("the root element is <{}>; a scene starts with <scene version=\"3.0.0\">", printable(root.tag)));
+        if (root.tag != "scene")
+            refuse(root.where, fmt::format("the root element is <{}>; a scene starts with <scene version=\"3.0.0\">", printable(root.tag)));
         check_version(root);
         XmlElement result{.tag = root.tag, .attributes = root.attributes, .where = root.where};
         take_children(root, result, 1);
@@ -98,11 +102,13 @@ private:
     {
         require_attributes(element, {"filename"});
         if (++includes_ > xml_limits::includes) refuse(element.where, fmt::format("more than {} includes", xml_limits::includes));
-        if (open_.size() >= xml_limits::include_depth) refuse(element.where, fmt::format("includes are nested deeper than {}", xml_limits::include_depth));
+        if (open_.size() >= xml_limits::include_depth)
+            refuse(element.where, fmt::format("includes are nested deeper than {}", xml_limits::include_depth));
         const std::string name = element.value_of("filename");
         const SceneFiles::Content content = files_.read(name, element.where, xml_limits::bytes);
         included_bytes_ += content.bytes.size();
-        if (included_bytes_ > xml_limits::included_bytes) refuse(element.where, fmt::format("more than {} bytes of includes", xml_limits::included_bytes));
+        if (included_bytes_ > xml_limits::included_bytes)
+            refuse(element.where, fmt::format("more than {} bytes of includes", xml_limits::included_bytes));
         const std::string path = content.path.string();
         std::error_code fault;
         if (std::find(open_.begin(), open_.end(), path) != open_.end() || std::filesystem::equivalent(path, main_file_, fault))
@@ -153,7 +159,8 @@ private:
         std::vector<std::string> known;
         for (const auto& [name, value] : parameters_) known.push_back(name);
         const std::string wanted = text.substr(at, end - at);
-        refuse(where, fmt::format("${0} is not defined{1}; give it a <default>, or define it with -D {0}=value", printable(wanted), suggestion(wanted, known)));
+        refuse(where, fmt::format("${0} is not defined{1}; give it a <default>, or define it with -D {0}=value", printable(wanted),
+                                  suggestion(wanted, known)));
     }
 
     void check_definitions(const std::string& file) const

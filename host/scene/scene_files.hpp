@@ -1,6 +1,6 @@
 #pragma once
-/// The only door through which a scene reaches the file system: finds what a scene names, refuses what it must not read, and folds every byte
-/// that was read into the scene's hash.
+/// The only door through which a scene reaches the file system: finds what a scene names, refuses what it must not read, and folds every
+/// byte that was read into the scene's hash.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -22,7 +22,8 @@ public:
         std::filesystem::path path;  ///< canonical
         std::string bytes;
     };
-    /// Whole content of a regular file of at most `limit` bytes. Throws SceneError at `where` if it is missing, outside, not a regular file or larger.
+    /// Whole content of a regular file of at most `limit` bytes. Throws SceneError at `where` if it is missing, outside, not a regular file
+    /// or larger.
     Content read(const std::string& name, const SourceLocation& where, std::uintmax_t limit);
 
     /// The hash of everything read so far; the loader adds what is not a file (text given in memory, definitions).

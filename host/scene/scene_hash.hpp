@@ -1,6 +1,6 @@
 #pragma once
-/// 64 bits that tell scenes apart: FNV-1a over length-prefixed pieces, finished by a bijective mix so that every input bit reaches every output bit.
-/// Not a defence against somebody who wants a collision.
+/// 64 bits that tell scenes apart: FNV-1a over length-prefixed pieces, finished by a bijective mix so that every input bit reaches every
+/// output bit. Not a defence against somebody who wants a collision.
 #include <cstdint>
 #include <string_view>
 

@@ -58,10 +58,16 @@ Crossing last_crossing(const Shape& shape, const Vec3& from, const Vec3& along)
 {
     Crossing last;
     switch (shape.type) {
-        case Shape::Type::mesh: cross_mesh(shape.mesh, from, along, last); break;
-        case Shape::Type::disk: cross_disk(shape, from, along, last); break;
+        case Shape::Type::mesh:
+            cross_mesh(shape.mesh, from, along, last);
+            break;
+        case Shape::Type::disk:
+            cross_disk(shape, from, along, last);
+            break;
         case Shape::Type::sphere:
-        case Shape::Type::cylinder: cross_round(shape, from, along, last); break;
+        case Shape::Type::cylinder:
+            cross_round(shape, from, along, last);
+            break;
     }
     if (shape.flip_normals) last.outwards = !last.outwards;
     return last;
@@ -91,11 +97,13 @@ void warn_of_unused_media(SceneBuilder& builder)
     for (std::size_t i = 0; i < scene.media.size(); ++i) {
         const int medium = static_cast<int>(i);
         const bool used = scene.camera.medium == medium ||
-                          std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const Shape& s) { return s.interior == medium || s.exterior == medium; }) ||
+                          std::any_of(scene.shapes.begin(), scene.shapes.end(),
+                                      [&](const Shape& s) { return s.interior == medium || s.exterior == medium; }) ||
                           std::any_of(scene.emitters.begin(), scene.emitters.end(), [&](const Emitter& e) { return e.medium == medium; });
         if (!used)
-            builder.warn(scene.media[i].where, fmt::format("medium {}: nothing refers to it, so it is nowhere; give a shape <ref name=\"interior\" id={}/>",
-                                                           in_quotes(scene.media[i].name), in_quotes(scene.media[i].name)));
+            builder.warn(scene.media[i].where,
+                         fmt::format("medium {}: nothing refers to it, so it is nowhere; give a shape <ref name=\"interior\" id={}/>",
+                                     in_quotes(scene.media[i].name), in_quotes(scene.media[i].name)));
     }
 }
 
@@ -105,8 +113,10 @@ void warn_of_leaks(SceneBuilder& builder)
         if (!shape.medium_boundary || shape.interior == shape.exterior) continue;
         const bool open = shape.type == Shape::Type::mesh ? !shape.mesh.closed : shape.type != Shape::Type::sphere;
         if (open)
-            builder.warn(shape.where, fmt::format("shape {}: bounds a medium but is not closed: unless other shapes close it, the medium leaks; close its edges",
-                                                  in_quotes(shape.name)));
+            builder.warn(
+                shape.where,
+                fmt::format("shape {}: bounds a medium but is not closed: unless other shapes close it, the medium leaks; close its edges",
+                            in_quotes(shape.name)));
     }
 }
 
@@ -118,13 +128,18 @@ void warn_of_missing_refs(SceneBuilder& builder)
     // From far outside, in a direction along no likely edge. 3: beyond every point of render space.
     const int around_camera = medium_at(scene, glm::normalize(Vec3(.5377, .6121, .5801)) * 3., vacuum, camera);
     if (scene.camera.medium == vacuum && around_camera != vacuum)
-        builder.warn(scene.camera.where, fmt::format("the sensor seems to stand inside medium {0} without saying so; give it <ref id={0}/>", name(around_camera)));
+        builder.warn(scene.camera.where, fmt::format("the sensor seems to stand inside medium {0} without saying so; give it <ref id={0}/>",
+                                                     name(around_camera)));
     for (const Emitter& emitter : scene.emitters) {
         if (emitter.type == Emitter::Type::directional || emitter.type == Emitter::Type::constant || emitter.medium != vacuum) continue;
         const int medium = medium_at(scene, camera, scene.camera.medium, place_of(scene, emitter));
         if (medium != vacuum)
-            builder.warn(emitter.where, fmt::format("emitter {0} seems to stand inside medium {1} without saying so, and would light it as if it stood in a vacuum; "
-                                                    "give it <ref id={1}/>", in_quotes(emitter.name), name(medium)));
+            builder.warn(
+                emitter.where,
+                fmt::format(
+                    "emitter {0} seems to stand inside medium {1} without saying so, and would light it as if it stood in a vacuum; "
+                    "give it <ref id={1}/>",
+                    in_quotes(emitter.name), name(medium)));
     }
 }
 

@@ -4,11 +4,12 @@
 
 namespace tyndall {
 
-/// A medium that nothing refers to; a container that is not closed; a camera or a light that stands in a medium without its ref; no light at all.
+/// A medium that nothing refers to; a container that is not closed; a camera or a light that stands in a medium without its ref; no light
+/// at all.
 void add_warnings(SceneBuilder& builder);
 
-/// The medium at `to`, found from the medium at `from` by crossing every medium boundary on the straight line between them. Needs no acceleration
-/// structure: the loader calls it once per light.
+/// The medium at `to`, found from the medium at `from` by crossing every medium boundary on the straight line between them. Needs no
+/// acceleration structure: the loader calls it once per light.
 int medium_at(const Scene& scene, const Vec3& from, int medium, const Vec3& to);
 
 }  // namespace tyndall

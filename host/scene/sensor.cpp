@@ -40,7 +40,8 @@ void read_crop(Properties& properties, Camera& camera)
     camera.crop_height = properties.integer("crop_height", camera.height, 1, largest_side);
     const auto check = [&](const char* name, int offset, int size, int whole) {
         if (offset + size > whole)
-            properties.refuse_parameter(name, fmt::format("{} = {} from offset {} does not fit into the film's {} pixels", name, size, offset, whole));
+            properties.refuse_parameter(
+                name, fmt::format("{} = {} from offset {} does not fit into the film's {} pixels", name, size, offset, whole));
     };
     check("crop_width", camera.crop_x, camera.crop_width, camera.width);
     check("crop_height", camera.crop_y, camera.crop_height, camera.height);
@@ -53,7 +54,8 @@ void read_film(SceneBuilder& builder, const XmlElement& element, Camera& camera)
     camera.width = properties.integer("width", 768, 1, largest_side);
     camera.height = properties.integer("height", 576, 1, largest_side);
     if (std::int64_t{camera.width} * camera.height > most_pixels)
-        properties.refuse_parameter("width", fmt::format("{} x {} pixels; at most {} are rendered", camera.width, camera.height, most_pixels));
+        properties.refuse_parameter("width",
+                                    fmt::format("{} x {} pixels; at most {} are rendered", camera.width, camera.height, most_pixels));
     read_crop(properties, camera);
     // What is written, and how, is the command line's choice: these are checked, and change nothing.
     properties.choice("pixel_format", "rgb", {"rgb", "rgba"});
@@ -71,7 +73,8 @@ double read_focal_length(Properties& properties)
     std::string text = properties.text("focal_length", "50mm");
     if (text.ends_with("mm")) text.resize(text.size() - 2);
     const auto millimetres = parse_real(text);
-    if (!millimetres || !(*millimetres > 0)) properties.refuse_parameter("focal_length", fmt::format("focal_length = {} is not a length such as \"50mm\"", in_quotes(text)));
+    if (!millimetres || !(*millimetres > 0))
+        properties.refuse_parameter("focal_length", fmt::format("focal_length = {} is not a length such as \"50mm\"", in_quotes(text)));
     return *millimetres;
 }
 
@@ -79,13 +82,15 @@ double read_focal_length(Properties& properties)
 double read_horizontal_fov(Properties& properties, double aspect)
 {
     const std::vector<std::string> axes{"x", "y", "diagonal", "smaller", "larger"};
-    if (properties.has("fov") && properties.has("focal_length")) properties.refuse_parameter("focal_length", "fov and focal_length exclude each other");
+    if (properties.has("fov") && properties.has("focal_length"))
+        properties.refuse_parameter("focal_length", "fov and focal_length exclude each other");
     const bool by_angle = properties.has("fov");
     const double fov = properties.real("fov", 0, Range::strictly_between(0, 180));
     std::string axis = properties.choice("fov_axis", "x", axes);
     double tangent = std::tan(radians(fov) / 2);
     if (!by_angle) {
-        if (properties.has("fov_axis")) properties.refuse_parameter("fov_axis", "fov_axis goes with fov; a focal_length is across the diagonal");
+        if (properties.has("fov_axis"))
+            properties.refuse_parameter("fov_axis", "fov_axis goes with fov; a focal_length is across the diagonal");
         tangent = std::sqrt(36. * 36 + 24. * 24) / (2 * read_focal_length(properties));
         axis = "diagonal";
     }
@@ -95,7 +100,8 @@ double read_horizontal_fov(Properties& properties, double aspect)
     if (axis == "diagonal") tangent /= std::sqrt(1 + 1 / (aspect * aspect));
     const double result = 2 * std::atan(tangent);
     if (!(result > 0 && result < std::numbers::pi * (1 - 1e-9)))
-        properties.refuse_parameter("fov", fmt::format("the horizontal field of view is {} degrees; it must lie strictly between 0 and 180", result * 180 / std::numbers::pi));
+        properties.refuse_parameter("fov", fmt::format("the horizontal field of view is {} degrees; it must lie strictly between 0 and 180",
+                                                       result * 180 / std::numbers::pi));
     return result;
 }
 
@@ -106,7 +112,9 @@ Mat4 rigid(Properties& properties, const Mat4& to_world)
     constexpr double tolerance = 1e-3;  // matrices are written with few digits; Mitsuba allows as much
     for (const Vec3& axis : {x, y, z})
         if (std::abs(glm::dot(axis, axis) - 1) > tolerance)
-            properties.refuse_parameter("to_world", fmt::format("to_world scales (an axis has length {}); a camera can be moved and turned only", glm::length(axis)));
+            properties.refuse_parameter(
+                "to_world",
+                fmt::format("to_world scales (an axis has length {}); a camera can be moved and turned only", glm::length(axis)));
     if (std::abs(glm::dot(x, y)) + std::abs(glm::dot(y, z)) + std::abs(glm::dot(z, x)) > tolerance)
         properties.refuse_parameter("to_world", "to_world shears; a camera can be moved and turned only");
     const Vec3 forward = glm::normalize(z), up = glm::normalize(y - glm::dot(y, forward) * forward);
@@ -134,10 +142,12 @@ Camera read_sensor(SceneBuilder& builder, const XmlElement& element)
     camera.near_clip = properties.real("near_clip", .01, Range::positive());
     camera.far_clip = properties.real("far_clip", 1e4, Range::positive());
     if (!(camera.near_clip < camera.far_clip))
-        properties.refuse_parameter("near_clip", fmt::format("near_clip = {} must be less than far_clip = {}", camera.near_clip, camera.far_clip));
+        properties.refuse_parameter("near_clip",
+                                    fmt::format("near_clip = {} must be less than far_clip = {}", camera.near_clip, camera.far_clip));
     camera.principal_x = properties.real("principal_point_offset_x", 0);
     camera.principal_y = properties.real("principal_point_offset_y", 0);
-    for (const char* no_effect : {"focus_distance", "shutter_open", "shutter_close"}) properties.real(no_effect, 0);  // a pinhole, and nothing moves
+    for (const char* no_effect : {"focus_distance", "shutter_open", "shutter_close"})
+        properties.real(no_effect, 0);  // a pinhole, and nothing moves
     camera.to_world = rigid(properties, properties.transform("to_world"));
     camera.medium = read_only_medium(builder, properties);
     properties.finish();

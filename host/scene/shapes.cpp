@@ -24,14 +24,17 @@ Vec3 axis_lengths(Properties& properties, const Mat4& to_world)
     const Vec3 x(to_world[0]), y(to_world[1]), z(to_world[2]), lengths(glm::length(x), glm::length(y), glm::length(z));
     const double shear = std::max({std::abs(glm::dot(x, y)) / (lengths.x * lengths.y), std::abs(glm::dot(y, z)) / (lengths.y * lengths.z),
                                    std::abs(glm::dot(z, x)) / (lengths.z * lengths.x)});
-    if (shear > 1e-6) properties.refuse_parameter("to_world", fmt::format("to_world shears, which a {} cannot follow; use a mesh", properties.type()));
+    if (shear > 1e-6)
+        properties.refuse_parameter("to_world", fmt::format("to_world shears, which a {} cannot follow; use a mesh", properties.type()));
     return lengths;
 }
 
 void require_same(Properties& properties, double a, double b, const char* which)
 {
     if (std::abs(a - b) > 1e-6 * std::max(a, b))
-        properties.refuse_parameter("to_world", fmt::format("to_world scales {} differently ({} and {}), which a {} cannot follow; use a mesh", which, a, b, properties.type()));
+        properties.refuse_parameter(
+            "to_world", fmt::format("to_world scales {} differently ({} and {}), which a {} cannot follow; use a mesh", which, a, b,
+                                    properties.type()));
 }
 
 /// The same set of points with a right-handed, exactly perpendicular frame: the first axis follows from the other two.
@@ -70,7 +73,8 @@ void read_cylinder(Properties& properties, Shape& shape, const Mat4& to_world)
     const Vec3 a = transform_point(to_world, p0), b = transform_point(to_world, p1), axis = glm::normalize(b - a);
     const Vec3 aside = std::abs(axis.x) < .5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0), y = glm::normalize(glm::cross(axis, aside));
     shape.type = Shape::Type::cylinder;
-    shape.to_world = Mat4(glm::dvec4(radius * lengths.x * glm::cross(y, axis), 0), glm::dvec4(radius * lengths.x * y, 0), glm::dvec4(b - a, 0), glm::dvec4(a, 1));
+    shape.to_world = Mat4(glm::dvec4(radius * lengths.x * glm::cross(y, axis), 0), glm::dvec4(radius * lengths.x * y, 0),
+                          glm::dvec4(b - a, 0), glm::dvec4(a, 1));
 }
 
 Mesh read_mesh_file(SceneBuilder& builder, Properties& properties)
@@ -87,11 +91,14 @@ Mesh read_mesh_file(SceneBuilder& builder, Properties& properties)
     } catch (const MeshFault& fault) {
         refuse(where, fmt::format("{}: {}: {}", properties.title(), printable(name), fault.what()));
     }
-    for (const std::string& remark : file.remarks) builder.warn(where, fmt::format("{}: {}: {}", properties.title(), printable(name), remark));
+    for (const std::string& remark : file.remarks)
+        builder.warn(where, fmt::format("{}: {}: {}", properties.title(), printable(name), remark));
     if (face_normals) file.mesh.normals.clear();
     if (!face_normals && file.mesh.normals.empty())
-        builder.warn(where, fmt::format("{}: {}: has no vertex normals and is shaded flat (Mitsuba would smooth it); write face_normals = true if flat is meant, or "
-                                        "export normals", properties.title(), printable(name)));
+        builder.warn(where, fmt::format("{}: {}: has no vertex normals and is shaded flat (Mitsuba would smooth it); write face_normals = "
+                                        "true if flat is meant, or "
+                                        "export normals",
+                                        properties.title(), printable(name)));
     if (flip)
         for (Vec2& uv : file.mesh.uvs) uv.y = 1 - uv.y;
     return std::move(file.mesh);
@@ -100,13 +107,16 @@ Mesh read_mesh_file(SceneBuilder& builder, Properties& properties)
 void read_mesh(SceneBuilder& builder, Properties& properties, Shape& shape, const Mat4& to_world)
 {
     shape.type = Shape::Type::mesh;
-    shape.mesh = properties.type() == "rectangle" ? rectangle_mesh() : properties.type() == "cube" ? cube_mesh() : read_mesh_file(builder, properties);
+    shape.mesh = properties.type() == "rectangle" ? rectangle_mesh()
+                 : properties.type() == "cube"    ? cube_mesh()
+                                                  : read_mesh_file(builder, properties);
     transform_mesh(shape.mesh, to_world);
     classify_mesh(shape.mesh);
     if (shape.mesh.triangles.empty()) refuse(properties.where(), properties.title() + ": no triangle of it has an area");
     const bool from_file = properties.type() == "obj" || properties.type() == "ply";
     if (from_file && glm::determinant(glm::dmat3(to_world)) < 0)
-        builder.warn(properties.where_is("to_world"), properties.title() + ": to_world mirrors; its outside stays outside here, while Mitsuba turns the mesh inside out");
+        builder.warn(properties.where_is("to_world"),
+                     properties.title() + ": to_world mirrors; its outside stays outside here, while Mitsuba turns the mesh inside out");
 }
 
 void read_geometry(SceneBuilder& builder, Properties& properties, Shape& shape)
@@ -135,11 +145,13 @@ void read_media(SceneBuilder& builder, Properties& properties, Shape& shape)
     std::array<bool, 2> seen{};
     for (const Nested& medium : properties.nested("medium")) {
         if (medium.role != "interior" && medium.role != "exterior")
-            refuse(medium.mention->where, fmt::format("{}: the medium {} needs name=\"interior\" or name=\"exterior\"{}", properties.title(),
-                                                      in_quotes(medium.object->find("id") ? medium.object->value_of("id") : medium.object->value_of("type")),
-                                                      suggestion(medium.role, {"interior", "exterior"})));
+            refuse(medium.mention->where,
+                   fmt::format("{}: the medium {} needs name=\"interior\" or name=\"exterior\"{}", properties.title(),
+                               in_quotes(medium.object->find("id") ? medium.object->value_of("id") : medium.object->value_of("type")),
+                               suggestion(medium.role, {"interior", "exterior"})));
         const bool is_interior = medium.role == "interior";
-        if (std::exchange(seen[is_interior], true)) refuse(medium.mention->where, fmt::format("{}: a second {} medium", properties.title(), medium.role));
+        if (std::exchange(seen[is_interior], true))
+            refuse(medium.mention->where, fmt::format("{}: a second {} medium", properties.title(), medium.role));
         (is_interior ? shape.interior : shape.exterior) = read_medium(builder, *medium.object);
         shape.medium_boundary = true;
     }

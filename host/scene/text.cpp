@@ -123,9 +123,6 @@ std::string suggestion(std::string_view wrong, const std::vector<std::string>& k
     return nearest ? " (did you mean " + in_quotes(*nearest) + "?)" : "";
 }
 
-std::string join(const std::vector<std::string>& words)
-{
-    return fmt::format("{}", fmt::join(words, ", "));
-}
+std::string join(const std::vector<std::string>& words) { return fmt::format("{}", fmt::join(words, ", ")); }
 
 }  // namespace tyndall

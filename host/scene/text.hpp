@@ -11,7 +11,8 @@
 
 namespace tyndall {
 
-/// The text with control characters and invalid bytes written as \xNN, so that no message carries an escape code to a terminal; at most 200 bytes.
+/// The text with control characters and invalid bytes written as \xNN, so that no message carries an escape code to a terminal; at most 200
+/// bytes.
 std::string printable(std::string_view text);
 
 /// printable(text) in double quotes.

@@ -30,7 +30,8 @@ std::vector<double> list_attribute(const XmlElement& element, std::string_view n
 Vec3 vector_attribute(const XmlElement& element, std::string_view name)
 {
     const auto numbers = list_attribute(element, name);
-    if (numbers.size() != 3) refuse(element.where, fmt::format("<{}> {} = {} must be three numbers", element.tag, name, in_quotes(element.value_of(name))));
+    if (numbers.size() != 3)
+        refuse(element.where, fmt::format("<{}> {} = {} must be three numbers", element.tag, name, in_quotes(element.value_of(name))));
     return {numbers[0], numbers[1], numbers[2]};
 }
 
@@ -57,7 +58,8 @@ Mat4 read_matrix(const XmlElement& element)
 {
     require_known_attributes(element, {"value"});
     const auto numbers = list_attribute(element, "value");
-    if (numbers.size() != 16 && numbers.size() != 9) refuse(element.where, fmt::format("<matrix> has {} numbers; it takes 16, or 9, row by row", numbers.size()));
+    if (numbers.size() != 16 && numbers.size() != 9)
+        refuse(element.where, fmt::format("<matrix> has {} numbers; it takes 16, or 9, row by row", numbers.size()));
     const int size = numbers.size() == 16 ? 4 : 3;
     Mat4 matrix(1);
     for (int row = 0; row < size; ++row)
@@ -78,10 +80,12 @@ Mat4 read_step(const XmlElement& element)
         return element.tag == "scale" ? scaling(read_vector(element, 1)) : translation(read_vector(element, 0));
     }
     const std::vector<std::string> known{"translate", "rotate", "scale", "lookat", "matrix"};
-    refuse(element.where, fmt::format("<{}> is no step of a <transform>{}; steps are: {}", printable(element.tag), suggestion(element.tag, known), join(known)));
+    refuse(element.where, fmt::format("<{}> is no step of a <transform>{}; steps are: {}", printable(element.tag),
+                                      suggestion(element.tag, known), join(known)));
 }
 
-/// A direction across `d`, chosen as Mitsuba does, so that a lookat without up is the same image [Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017].
+/// A direction across `d`, chosen as Mitsuba does, so that a lookat without up is the same image [Duff et al., "Building an Orthonormal
+/// Basis, Revisited", JCGT 2017].
 Vec3 some_perpendicular(const Vec3& d)
 {
     const double sign = std::copysign(1.0, d.z), a = -1 / (sign + d.z);
@@ -125,7 +129,8 @@ Mat4 rotation(const Vec3& axis, double degrees)
     // Quarter turns are exact: sin and cos of multiples of 90 degrees are, and boxes stay boxes.
     const double turn = std::remainder(degrees, 360.0), radians = turn * (std::numbers::pi / 180);
     const bool quarter = std::remainder(turn, 90.0) == 0;
-    const double s = quarter ? std::round(std::sin(radians)) : std::sin(radians), c = quarter ? std::round(std::cos(radians)) : std::cos(radians);
+    const double s = quarter ? std::round(std::sin(radians)) : std::sin(radians),
+                 c = quarter ? std::round(std::cos(radians)) : std::cos(radians);
     const Vec3 u = glm::normalize(axis);
     const glm::dmat3 outer = glm::outerProduct(u, u), cross(0, u.z, -u.y, -u.z, 0, u.x, u.y, -u.x, 0);
     return Mat4(c * glm::dmat3(1) + (1 - c) * outer + s * cross);
@@ -148,7 +153,8 @@ Mat4 read_transform(const XmlElement& element)
     double product = 1;
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row)
-            if (!(std::abs(result[column][row]) <= largest_coordinate)) refuse(element.where, fmt::format("<transform> leads beyond {:g}", largest_coordinate));
+            if (!(std::abs(result[column][row]) <= largest_coordinate))
+                refuse(element.where, fmt::format("<transform> leads beyond {:g}", largest_coordinate));
         if (column < 3) product *= glm::length(Vec3(result[column]));
     }
     // 1e-12: the volume of the unit cube's image against its edges; below it the image is flat within rounding.

@@ -24,7 +24,8 @@ public:
         const std::size_t byte = std::min(static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0)), text_.size());
         const auto line = std::upper_bound(starts_.begin(), starts_.end(), byte) - 1;
         const auto first_byte_of_character = [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; };
-        // Places are asked for in the order of the text: counting goes on where it stopped, or one long line would cost its length every time.
+        // Places are asked for in the order of the text: counting goes on where it stopped, or one long line would cost its length every
+        // time.
         if (*line > last_byte_ || byte < last_byte_) last_byte_ = *line, last_column_ = 1;
         last_column_ += static_cast<int>(std::count_if(text_.begin() + static_cast<std::ptrdiff_t>(last_byte_),
                                                        text_.begin() + static_cast<std::ptrdiff_t>(byte), first_byte_of_character));
@@ -41,7 +42,10 @@ private:
 };
 
 /// pugixml points behind the '<' of a tag; a message points at it.
-SourceLocation place_of(const LineMap& lines, const pugi::xml_node& node) { return lines.at(node.offset_debug() - (node.type() == pugi::node_element)); }
+SourceLocation place_of(const LineMap& lines, const pugi::xml_node& node)
+{
+    return lines.at(node.offset_debug() - (node.type() == pugi::node_element));
+}
 
 void check_limits(const std::string& text, const LineMap& lines)
 {
@@ -58,8 +62,10 @@ XmlElement convert(const pugi::xml_node& node, const LineMap& lines, int depth)
     XmlElement element{.tag = node.name(), .where = place_of(lines, node)};
     if (depth > xml_limits::depth) refuse(element.where, fmt::format("elements are nested deeper than {}", xml_limits::depth));
     for (const pugi::xml_attribute& attribute : node.attributes()) {
-        if (element.attributes.size() == xml_limits::attributes) refuse(element.where, fmt::format("an element with more than {} attributes", xml_limits::attributes));
-        if (element.find(attribute.name())) refuse(element.where, fmt::format("<{}> has the attribute {} twice", printable(element.tag), in_quotes(attribute.name())));
+        if (element.attributes.size() == xml_limits::attributes)
+            refuse(element.where, fmt::format("an element with more than {} attributes", xml_limits::attributes));
+        if (element.find(attribute.name()))
+            refuse(element.where, fmt::format("<{}> has the attribute {} twice", printable(element.tag), in_quotes(attribute.name())));
         element.attributes.push_back({attribute.name(), attribute.value()});
         if (element.attributes.back().value.size() > xml_limits::attribute_bytes)
             refuse(element.where, fmt::format("an attribute longer than {} bytes", xml_limits::attribute_bytes));
@@ -67,7 +73,8 @@ XmlElement convert(const pugi::xml_node& node, const LineMap& lines, int depth)
     for (const pugi::xml_node& child : node.children()) {
         if (child.type() == pugi::node_doctype) refuse(place_of(lines, child), "a DOCTYPE is not accepted");
         if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata)
-            refuse(place_of(lines, child), fmt::format("text inside <{}>: {}; values are written as attributes", printable(element.tag), in_quotes(child.value())));
+            refuse(place_of(lines, child),
+                   fmt::format("text inside <{}>: {}; values are written as attributes", printable(element.tag), in_quotes(child.value())));
         if (child.type() == pugi::node_element) element.children.push_back(convert(child, lines, depth + 1));
     }
     return element;

@@ -22,7 +22,8 @@ TEST(Describe, SaysWhatWasReadInTheFilesUnits)
     EXPECT_THAT(text, HasSubstr("film       768 x 576 pixels, gaussian filter of 0.5 pixels"));
     EXPECT_THAT(text, HasSubstr("integrator \"volpath\", max_depth 9"));
     // bounds (-1,-1,-1) to (1,2,4): a diagonal of sqrt(4 + 9 + 25)
-    EXPECT_THAT(text, HasSubstr("medium     \"juice\": sigma_t 1 2 3, albedo 0.75, Henyey-Greenstein g = 0.5; optical thickness across the scene 6.16441 12.3288 18.4932"));
+    EXPECT_THAT(text, HasSubstr("medium     \"juice\": sigma_t 1 2 3, albedo 0.75, Henyey-Greenstein g = 0.5; optical thickness across the "
+                                "scene 6.16441 12.3288 18.4932"));
     EXPECT_THAT(text, HasSubstr("shape      \"glass\": 12 triangles, closed, convex, dielectric, \"juice\" inside and vacuum outside"));
     EXPECT_THAT(text, HasSubstr("shape      \"sphere\": sphere, diffuse, glows"));
     EXPECT_THAT(text, HasSubstr("emitter    \"area\": area 7 on shape \"sphere\""));

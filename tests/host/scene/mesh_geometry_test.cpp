@@ -9,7 +9,8 @@
 
 namespace tyndall::test {
 
-/// A sphere of `rings` x 2 `rings` quads, with the seam's and the poles' vertices doubled; `bump` displaces one vertex inwards; rounded to float as files are.
+/// A sphere of `rings` x 2 `rings` quads, with the seam's and the poles' vertices doubled; `bump` displaces one vertex inwards; rounded to
+/// float as files are.
 Mesh ball(unsigned rings, double bump = 0)
 {
     Mesh mesh;
@@ -18,7 +19,8 @@ Mesh ball(unsigned rings, double bump = 0)
         for (unsigned j = 0; j <= around; ++j) {
             const double theta = std::numbers::pi * i / rings, phi = 2 * std::numbers::pi * (j % around) / around;
             const double r = i == rings / 2 && j == 3 ? 1 - bump : 1, s = i == 0 || i == rings ? 0 : std::sin(theta);
-            mesh.vertices.emplace_back(static_cast<float>(r * s * std::cos(phi)), static_cast<float>(r * s * std::sin(phi)), static_cast<float>(r * std::cos(theta)));
+            mesh.vertices.emplace_back(static_cast<float>(r * s * std::cos(phi)), static_cast<float>(r * s * std::sin(phi)),
+                                       static_cast<float>(r * std::cos(theta)));
         }
     for (unsigned i = 0; i < rings; ++i)
         for (unsigned j = 0; j < around; ++j) {

@@ -13,8 +13,12 @@ namespace tyndall::test {
 std::vector<double> numbers_of(const Scene& scene)
 {
     std::vector<double> numbers;
-    const auto add = [&](const auto& v) { for (int i = 0; i < v.length(); ++i) numbers.push_back(v[i]); };
-    const auto add_matrix = [&](const Mat4& m) { for (int c = 0; c < 4; ++c) add(m[c]); };
+    const auto add = [&](const auto& v) {
+        for (int i = 0; i < v.length(); ++i) numbers.push_back(v[i]);
+    };
+    const auto add_matrix = [&](const Mat4& m) {
+        for (int c = 0; c < 4; ++c) add(m[c]);
+    };
     for (const Medium& medium : scene.media) add(medium.sigma_t), add(medium.albedo);
     for (const Shape& shape : scene.shapes) {
         add_matrix(shape.to_world);
@@ -46,16 +50,35 @@ std::string moved_scene(double k, double t)
     const auto at = [&](double x, double y, double z) { return triple(k * x + t, k * y + t, k * z + t); };
     const auto number = [](double x) { return triple(x, 0, 0).substr(0, triple(x, 0, 0).find(' ')); };
     const std::string place = "<scale value=\"" + number(k) + "\"/><translate value=\"" + triple(t, t, t) + "\"/>";
-    return "<scene version=\"3.0.0\"><medium type=\"homogeneous\" id=\"m\"><rgb name=\"sigma_t\" value=\"" + triple(.75 / k, 1 / k, 3 / k) + "\"/></medium>"
-           "<sensor type=\"perspective\"><float name=\"fov\" value=\"40\"/><float name=\"near_clip\" value=\"" + number(.125 * k) + "\"/><float name=\"far_clip\" value=\"" + number(64 * k) +
-           "\"/><transform name=\"to_world\"><lookat origin=\"" + at(.5, .75, 4) + "\" target=\"" + at(0, -.25, 0) + "\" up=\"0 1 0\"/></transform></sensor>"
-           "<shape type=\"cube\"><transform name=\"to_world\"><scale value=\"0.5 0.75 0.5\"/>" + place + "</transform><ref name=\"interior\" id=\"m\"/></shape>"
-           "<shape type=\"rectangle\"><transform name=\"to_world\"><scale value=\"3\"/><rotate x=\"1\" angle=\"-90\"/><translate y=\"-1\"/>" + place + "</transform></shape>"
-           "<shape type=\"sphere\"><point name=\"center\" value=\"1 -0.5 0.25\"/><float name=\"radius\" value=\"0.25\"/><transform name=\"to_world\">" + place + "</transform></shape>"
-           "<shape type=\"disk\"><transform name=\"to_world\"><rotate y=\"1\" angle=\"90\"/>" + place + "</transform></shape>"
-           "<shape type=\"cylinder\"><point name=\"p0\" value=\"1 0 0\"/><point name=\"p1\" value=\"1 2 0\"/><transform name=\"to_world\">" + place + "</transform></shape>"
-           "<emitter type=\"point\"><rgb name=\"intensity\" value=\"" + triple(k * k, 2 * k * k, 3 * k * k) + "\"/><point name=\"position\" value=\"" + at(1, 2, .5) + "\"/></emitter>"
-           "<emitter type=\"spot\"><rgb name=\"intensity\" value=\"" + triple(k * k, k * k, k * k) + "\"/><transform name=\"to_world\"><lookat origin=\"" + at(-1, 2, .5) + "\" target=\"" +
+    return "<scene version=\"3.0.0\"><medium type=\"homogeneous\" id=\"m\"><rgb name=\"sigma_t\" value=\"" + triple(.75 / k, 1 / k, 3 / k) +
+           "\"/></medium>"
+           "<sensor type=\"perspective\"><float name=\"fov\" value=\"40\"/><float name=\"near_clip\" value=\"" +
+           number(.125 * k) + "\"/><float name=\"far_clip\" value=\"" + number(64 * k) +
+           "\"/><transform name=\"to_world\"><lookat origin=\"" + at(.5, .75, 4) + "\" target=\"" + at(0, -.25, 0) +
+           "\" up=\"0 1 0\"/></transform></sensor>"
+           "<shape type=\"cube\"><transform name=\"to_world\"><scale value=\"0.5 0.75 0.5\"/>" +
+           place +
+           "</transform><ref name=\"interior\" id=\"m\"/></shape>"
+           "<shape type=\"rectangle\"><transform name=\"to_world\"><scale value=\"3\"/><rotate x=\"1\" angle=\"-90\"/><translate "
+           "y=\"-1\"/>" +
+           place +
+           "</transform></shape>"
+           "<shape type=\"sphere\"><point name=\"center\" value=\"1 -0.5 0.25\"/><float name=\"radius\" value=\"0.25\"/><transform "
+           "name=\"to_world\">" +
+           place +
+           "</transform></shape>"
+           "<shape type=\"disk\"><transform name=\"to_world\"><rotate y=\"1\" angle=\"90\"/>" +
+           place +
+           "</transform></shape>"
+           "<shape type=\"cylinder\"><point name=\"p0\" value=\"1 0 0\"/><point name=\"p1\" value=\"1 2 0\"/><transform "
+           "name=\"to_world\">" +
+           place +
+           "</transform></shape>"
+           "<emitter type=\"point\"><rgb name=\"intensity\" value=\"" +
+           triple(k * k, 2 * k * k, 3 * k * k) + "\"/><point name=\"position\" value=\"" + at(1, 2, .5) +
+           "\"/></emitter>"
+           "<emitter type=\"spot\"><rgb name=\"intensity\" value=\"" +
+           triple(k * k, k * k, k * k) + "\"/><transform name=\"to_world\"><lookat origin=\"" + at(-1, 2, .5) + "\" target=\"" +
            at(0, 0, 0) + "\" up=\"0 1 0\"/></transform></emitter><emitter type=\"directional\"/><emitter type=\"constant\"/></scene>";
 }
 
@@ -117,7 +140,9 @@ TEST(RenderSpace, QuantitiesFollowTheirUnits)
 
 TEST(RenderSpace, APointKeepsItsUnit)
 {
-    const Scene scene = parse("<scene version=\"3.0.0\"><sensor type=\"perspective\"><transform name=\"to_world\"><translate x=\"7\"/></transform></sensor></scene>");
+    const Scene scene = parse(
+        "<scene version=\"3.0.0\"><sensor type=\"perspective\"><transform name=\"to_world\"><translate "
+        "x=\"7\"/></transform></sensor></scene>");
     EXPECT_EQ(scene.unit, 1);
     EXPECT_EQ(scene.centre, Vec3(7, 0, 0));
     EXPECT_EQ(Vec3(scene.camera.to_world[3]), Vec3(0));
@@ -135,11 +160,18 @@ TEST(RenderSpace, ExactPowersOfTwoStayInTheInterval)
 
 TEST(RenderSpace, WhatOverflowsIsRefused)
 {
-    EXPECT_NE(fault_of_body(R"(<shape type="sphere"><transform name="to_world"><scale value="1e-60"/></transform></shape><emitter type="point"><float name="intensity" value="1e300"/></emitter>)")
-                  .find("the intensity is too large for a scene this small"), std::string::npos);
-    EXPECT_NE(fault_of_body(R"(<shape type="sphere"><transform name="to_world"><scale value="1e60"/></transform></shape><medium type="homogeneous"><float name="sigma_t" value="1e300"/></medium>)")
-                  .find("sigma_t is too large for a scene this large"), std::string::npos);
-    EXPECT_NE(fault_of_body(R"(<shape type="sphere"><float name="radius" value="1e-101"/></shape>)").find("half diagonal"), std::string::npos);
+    EXPECT_NE(
+        fault_of_body(
+            R"(<shape type="sphere"><transform name="to_world"><scale value="1e-60"/></transform></shape><emitter type="point"><float name="intensity" value="1e300"/></emitter>)")
+            .find("the intensity is too large for a scene this small"),
+        std::string::npos);
+    EXPECT_NE(
+        fault_of_body(
+            R"(<shape type="sphere"><transform name="to_world"><scale value="1e60"/></transform></shape><medium type="homogeneous"><float name="sigma_t" value="1e300"/></medium>)")
+            .find("sigma_t is too large for a scene this large"),
+        std::string::npos);
+    EXPECT_NE(fault_of_body(R"(<shape type="sphere"><float name="radius" value="1e-101"/></shape>)").find("half diagonal"),
+              std::string::npos);
 }
 
 }  // namespace tyndall::test

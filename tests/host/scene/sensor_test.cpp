@@ -59,6 +59,11 @@ TEST(Sensor, FovIsMeasuredAlongItsAxis)
     EXPECT_NEAR(fov_degrees("smaller", tall), 40, 1e-12);
     EXPECT_NEAR(fov_degrees("larger", wide), 40, 1e-12);
     EXPECT_NEAR(fov_degrees("larger", tall), halved, 1e-12);
+    // Mitsuba 3.9 prints these four, with six digits
+    EXPECT_NEAR(fov_degrees("y", wide), 72.1048, 5e-5);
+    EXPECT_NEAR(fov_degrees("y", tall), 20.6282, 5e-5);
+    EXPECT_NEAR(fov_degrees("diagonal", wide), 36.0648, 5e-5);
+    EXPECT_NEAR(fov_degrees("diagonal", tall), 18.4902, 5e-5);
     // across the diagonal of 2 x 1: its tangent is shared out as 2 : sqrt(5)
     EXPECT_NEAR(fov_degrees("diagonal", wide), 360 / std::numbers::pi * std::atan(std::tan(half) * 2 / std::sqrt(5.)), 1e-12);
 }
@@ -169,7 +174,9 @@ TEST(Sensor, WrongFilmsAreSentences)
               "scene.xml:3:1: film \"hdrfilm\": crop_width = 0 must be at least 1");
     EXPECT_EQ(sensor_fault("", R"(<float name="width" value="64"/>)"),
               "scene.xml:3:1: film \"hdrfilm\": width is written as <float>; it must be <integer>");
-    EXPECT_EQ(sensor_fault("", R"(<integer name="widht" value="64"/>)").find("scene.xml:3:1: film \"hdrfilm\": unknown parameter \"widht\" (did you mean \"width\"?); it takes: "), 0u);
+    EXPECT_EQ(sensor_fault("", R"(<integer name="widht" value="64"/>)")
+                  .find("scene.xml:3:1: film \"hdrfilm\": unknown parameter \"widht\" (did you mean \"width\"?); it takes: "),
+              0u);
     EXPECT_NE(
         sensor_fault("", R"(<integer name="crop_width" value="700"/><integer name="crop_offset_x" value="100"/>)").find("does not fit"),
         std::string::npos);

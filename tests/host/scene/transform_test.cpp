@@ -86,6 +86,15 @@ TEST(Transform, LookAtTiltsUpIntoTheImagePlane)
     expect_near(Vec3(m[1]), glm::cross(forward, left), 1e-15);
 }
 
+TEST(Transform, LookAtWithoutUpIsMitsubas)
+{
+    // the rows that Mitsuba 3.9 prints, with six digits
+    const Mat4 m = look_at(Vec3(1, 2, 3), Vec3(0, 1, 0), Vec3(0), {});
+    expect_near(Vec3(m[0]), Vec3(-.047733, .952267, -.301511), 5e-7);
+    expect_near(Vec3(m[1]), Vec3(.952267, -.047733, -.301511), 5e-7);
+    expect_near(Vec3(m[2]), Vec3(-.301511, -.301511, -.904534), 5e-7);
+}
+
 TEST(Transform, LookAtWithoutUpIsRigid)
 {
     for (const Vec3& target : {Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1), Vec3(-1, -2, .5)}) {

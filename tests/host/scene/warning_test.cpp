@@ -5,17 +5,23 @@
 
 namespace tyndall::test {
 
-const std::string fog = R"(<medium type="homogeneous" id="fog"/>)", lamp = R"(<emitter type="point"><point name="position" z="9"/></emitter>)";
-const std::string outside_camera = R"(<sensor type="perspective"><float name="fov" value="45"/><transform name="to_world"><translate z="9"/></transform></sensor>)";
+const std::string fog = R"(<medium type="homogeneous" id="fog"/>)",
+                  lamp = R"(<emitter type="point"><point name="position" z="9"/></emitter>)";
+const std::string outside_camera =
+    R"(<sensor type="perspective"><float name="fov" value="45"/><transform name="to_world"><translate z="9"/></transform></sensor>)";
 
 /// The warnings of a scene whose camera stands at z = 9; the body starts line 2.
-std::vector<std::string> warnings_of(const std::string& body) { return parse("<scene version=\"3.0.0\">" + outside_camera + "\n" + body + "</scene>").warnings; }
+std::vector<std::string> warnings_of(const std::string& body)
+{
+    return parse("<scene version=\"3.0.0\">" + outside_camera + "\n" + body + "</scene>").warnings;
+}
 
 TEST(Warning, MediumReferencedByNothing)
 {
     const auto warnings = warnings_of(fog + lamp);
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_EQ(warnings[0], "scene.xml:2:1: medium \"fog\": nothing refers to it, so it is nowhere; give a shape <ref name=\"interior\" id=\"fog\"/>");
+    EXPECT_EQ(warnings[0],
+              "scene.xml:2:1: medium \"fog\": nothing refers to it, so it is nowhere; give a shape <ref name=\"interior\" id=\"fog\"/>");
     EXPECT_TRUE(warnings_of(fog + lamp + R"(<shape type="cube"><ref name="interior" id="fog"/></shape>)").empty());
 }
 
@@ -42,11 +48,12 @@ TEST(Warning, LeakingContainer)
 TEST(Warning, LightInsideAMediumWithoutItsRef)
 {
     const std::string box = R"(<shape type="cube"><bsdf type="null"/><ref name="interior" id="fog"/></shape>)";
-    for (const char* light : {R"(<emitter type="point"/>)", R"(<emitter type="spot"/>)",
-                              R"(<shape type="rectangle"><transform name="to_world"><scale value="0.1"/></transform><emitter type="area"/></shape>)",
-                              R"(<shape type="sphere"><float name="radius" value="0.1"/><emitter type="area"/></shape>)",
-                              R"(<shape type="disk"><transform name="to_world"><scale value="0.1"/></transform><emitter type="area"/></shape>)",
-                              R"(<shape type="cylinder"><transform name="to_world"><scale value="0.1"/></transform><emitter type="area"/></shape>)"}) {
+    for (const char* light :
+         {R"(<emitter type="point"/>)", R"(<emitter type="spot"/>)",
+          R"(<shape type="rectangle"><transform name="to_world"><scale value="0.1"/></transform><emitter type="area"/></shape>)",
+          R"(<shape type="sphere"><float name="radius" value="0.1"/><emitter type="area"/></shape>)",
+          R"(<shape type="disk"><transform name="to_world"><scale value="0.1"/></transform><emitter type="area"/></shape>)",
+          R"(<shape type="cylinder"><transform name="to_world"><scale value="0.1"/></transform><emitter type="area"/></shape>)"}) {
         const auto warnings = warnings_of(fog + box + light);
         ASSERT_EQ(warnings.size(), 1u) << light;
         EXPECT_NE(warnings[0].find("seems to stand inside medium \"fog\" without saying so"), std::string::npos) << light;
@@ -59,7 +66,8 @@ TEST(Warning, LightInsideAMediumWithoutItsRef)
 
 TEST(Warning, LightInUnboundedFogOfTheCamera)
 {
-    const std::string scene = "<scene version=\"3.0.0\">" + fog + R"(<sensor type="perspective"><ref id="fog"/></sensor><emitter type="point"><point name="position" x="1"/>)";
+    const std::string scene = "<scene version=\"3.0.0\">" + fog +
+                              R"(<sensor type="perspective"><ref id="fog"/></sensor><emitter type="point"><point name="position" x="1"/>)";
     EXPECT_EQ(parse(scene + "</emitter></scene>").warnings.size(), 1u);
     EXPECT_TRUE(parse(scene + "<ref id=\"fog\"/></emitter></scene>").warnings.empty());
 }
