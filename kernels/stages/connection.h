@@ -2,6 +2,7 @@
 #ifndef CONNECTION_H
 #define CONNECTION_H
 
+#define MOST_PLANES 64     // of a container (host/scene/scene_features.cpp)
 #define LIGHT_BLOCK 256u  // lights are summed in fixed blocks of so many, by light number
 
 /// Length of the part of the segment from + t d, 0 <= t <= 1, |d| = length, that lies inside the container.
@@ -25,13 +26,53 @@ typedef struct {
     uint container_count;
 } Surroundings;
 
+/// The planes of the only container that some eye of the group is outside of, with the room (negative: outside) that each eye has to them. Only they can
+/// cut a connection to a light, which lies inside.
+typedef struct {
+    uint count;
+    uint plane[MOST_PLANES];
+    real outside[MOST_PLANES];  ///< distance of the eye beyond the plane, 0 if inside
+} FacingPlanes;
+
+static inline void find_facing_planes(FacingPlanes* facing, Surroundings s, real3 from)
+{
+    facing->count = 0;
+    if (!BOUNDARIES || NONCONVEX_MEDIA || s.container_count != 1u) return;
+    ContainerRecord container = s.containers[0];
+    for (uint i = 0; i < container.plane_count; ++i) {
+        PlaneRecord plane = s.planes[container.first_plane + i];
+        real3 n = make_real3((real)plane.normal_x, (real)plane.normal_y, (real)plane.normal_z);
+        real outside = fmax(dot3(n, from) - (real)plane.offset, R(0.0));
+        if (!any_lane(outside > R(0.0))) continue;
+        facing->plane[facing->count] = container.first_plane + i;
+        facing->outside[facing->count] = outside;
+        ++facing->count;
+    }
+}
+
+/// Length of the connection inside the only container: from where the last facing plane is crossed to the light. The largest of the ratios
+/// outside / approach is found by cross-multiplication; approach >= outside because the light lies inside (so the ratio is at most 1, also after rounding).
+static inline real inner_length(const FacingPlanes* facing, Surroundings s, real3 d, real length)
+{
+    real most = R(0.0), over = R(1.0);
+    for (uint i = 0; i < facing->count; ++i) {
+        PlaneRecord plane = s.planes[facing->plane[i]];
+        real3 n = make_real3((real)plane.normal_x, (real)plane.normal_y, (real)plane.normal_z);
+        real outside = facing->outside[i], approach = fmax(-dot3(n, d), outside);
+        mask later = outside * over > most * approach;
+        most = select(most, outside, later), over = select(over, approach, later);
+    }
+    return (R(1.0) - most / over) * length;
+}
+
 /// Transmittance of the connection itself, where it follows from the records; NONCONVEX_MEDIA leaves it to the host.
-static inline real3 leg_transmittance(Surroundings s, MediumRecord medium, Connection c)
+static inline real3 leg_transmittance(const FacingPlanes* facing, Surroundings s, MediumRecord medium, Connection c)
 {
     if (NONCONVEX_MEDIA) return make_real3(R(1.0), R(1.0), R(1.0));
-    if (!BOUNDARIES || s.container_count == 0u)
-        return transmittance3(scale3(make_real3((real)medium.sigma_t_r, (real)medium.sigma_t_g, (real)medium.sigma_t_b), c.length));
+    real3 sigma = make_real3((real)medium.sigma_t_r, (real)medium.sigma_t_g, (real)medium.sigma_t_b);
+    if (!BOUNDARIES || s.container_count == 0u) return transmittance3(scale3(sigma, c.length));
     real3 depth = make_real3(R(0.0), R(0.0), R(0.0)), d = sub3(c.to, c.from);
+    if (s.container_count == 1u) return transmittance3(scale3(sigma, inner_length(facing, s, d, c.length)));
     for (uint i = 0; i < s.container_count; ++i) {
         ContainerRecord container = s.containers[i];
         MediumRecord inside = s.media[container.medium];
@@ -42,11 +83,12 @@ static inline real3 leg_transmittance(Surroundings s, MediumRecord medium, Conne
 }
 
 /// One sample of one light for LANES eyes, with everything but visibility. Radiance that is not finite is counted in the ledger and taken out of the sum.
-static inline Connection connect_counted(Eye eye, Light light, Surroundings s, uint vertex_limit, uint counter, __global uint* ledger, uint group)
+static inline Connection connect_counted(Eye eye, const FacingPlanes* facing, Light light, Surroundings s, uint vertex_limit, uint counter,
+                                         __global uint* ledger, uint group)
 {
     MediumRecord medium = s.media[MANY_MEDIA ? light.medium : 0u];
     Connection c = connect_eye(eye, light, medium, random2(eye.key, counter));
-    c.radiance = mul3(c.radiance, leg_transmittance(s, medium, c));
+    c.radiance = mul3(c.radiance, leg_transmittance(facing, s, medium, c));
     if (DEPTH_LIMIT) {
         mask allowed = to_mask(eye.depth + light.depth + 2u <= vertex_limit);
         c.radiance = select3(make_real3(R(0.0), R(0.0), R(0.0)), c.radiance, allowed);

@@ -28,4 +28,7 @@ static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, 
     return connect_point(eye.geometry, light, medium, xi);
 }
 
+/// Where its connections start.
+static inline real3 eye_position(Eye eye) { return eye.geometry.position; }
+
 #endif

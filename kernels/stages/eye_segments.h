@@ -30,4 +30,7 @@ static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, 
     return connect_segment(eye.geometry, eye.medium, light, medium, xi);
 }
 
+/// Where its connections start: all of a segment is inside the container whose medium it is in.
+static inline real3 eye_position(Eye eye) { return along3(eye.geometry.origin, R(0.5) * eye.geometry.length, eye.geometry.direction); }
+
 #endif

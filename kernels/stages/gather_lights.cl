@@ -9,13 +9,15 @@ __kernel void gather_lights(__global const EyeRecord* eyes, uint first_group, ui
     uint group = first_group + get_global_id(0);
     Surroundings s = {media, containers, planes, container_count};
     Eye eye = load_eye(eyes, group, media);
+    FacingPlanes facing;
+    find_facing_planes(&facing, s, eye_position(eye));
     LongSum3 sum = load_sums(sums, group);
     for (uint block = first; block < first + count; block += LIGHT_BLOCK) {
         real3 partial = make_real3(R(0.0), R(0.0), R(0.0));
         uint end = min(block + LIGHT_BLOCK, first + count);
         for (uint i = block; i < end; ++i)
             for (uint k = 0; k < samples; ++k)
-                partial = add3(partial, connect_counted(eye, lights[i], s, vertex_limit, i * samples + k, ledger, group).radiance);
+                partial = add3(partial, connect_counted(eye, &facing, lights[i], s, vertex_limit, i * samples + k, ledger, group).radiance);
         sum = add_block(sum, partial);
     }
     store_sums(sum, sums, group);
