@@ -6,8 +6,8 @@
 
 namespace tyndall {
 
-/// A fixed rule of image size and time budget (0: none), never of a clock, so that the bytes do not depend on the machine: about `pairs_per_second` x 2.5 % of
-/// the budget divided by the pixels, in whole blocks of 256, between 256 and 4096; 512 without a budget.
+/// A fixed rule of image size and time budget (0: none), never of a clock, so that the bytes do not depend on the machine: the lights that 3e7 pairs per
+/// second connect to every pixel in 2.5 % of the budget, between 16 and 4096, in whole blocks of 256 from there on; 512 without a budget.
 std::uint32_t default_lights(const Camera& camera, double seconds);
 
 }  // namespace tyndall

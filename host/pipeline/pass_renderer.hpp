@@ -40,6 +40,7 @@ public:
     PassResult render(std::uint64_t pass);
     const LayerPlan& plan() const { return plan_; }
     const SceneFeatures& features() const { return features_; }
+    const ConnectCounts& counts() const { return counts_; }
     /// Adds everything that was counted and timed.
     void fill(Report& report) const;
 

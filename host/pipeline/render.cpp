@@ -18,18 +18,21 @@ using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-/// Would one more pass of the usual length end after the budget?
-bool time_is_up(const RenderSettings& settings, int passes, double seconds)
+/// Would one more pass of the usual length end after the budget? The time before the first pass (kernels, pilot) counts too.
+bool time_is_up(const RenderSettings& settings, int passes, double seconds, double before)
 {
-    return settings.seconds > 0 && passes > 0 && seconds + seconds / passes > settings.seconds;
+    return settings.seconds > 0 && passes > 0 && seconds + (seconds - before) / passes > settings.seconds;
 }
 
-Progress progress_of(const RenderSettings& settings, const Film& film, double seconds)
+Progress progress_of(const RenderSettings& settings, const PassRenderer& renderer, const Film& film, double seconds, double before)
 {
     Progress p{.passes_done = film.passes(), .passes_wanted = settings.passes, .seconds = seconds, .error = estimated_error(film)};
-    const double by_passes = settings.passes > 0 ? seconds / film.passes() * (settings.passes - film.passes()) : 1e300;
+    const double in_passes = seconds - before;
+    const double by_passes = settings.passes > 0 ? in_passes / film.passes() * (settings.passes - film.passes()) : 1e300;
     const double by_time = settings.seconds > 0 ? std::max(settings.seconds - seconds, 0.0) : 1e300;
     p.seconds_left = std::min(by_passes, by_time);
+    p.pairs_per_second = static_cast<double>(renderer.counts().pairs) / in_passes;
+    p.shadow_segments_per_second = static_cast<double>(renderer.counts().shadow_segments) / in_passes;
     return p;
 }
 
@@ -54,18 +57,19 @@ RenderOutcome render(const Scene& scene, const RenderSettings& settings, const P
     check_settings(settings);
     std::optional<tbb::global_control> threads;
     if (settings.threads > 0) threads.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(settings.threads));
+    const Clock::time_point start = Clock::now();
     PassRenderer renderer(scene, settings);
     Film film(scene.camera.crop_width, scene.camera.crop_height, renderer.plan().rendered());
-    const Clock::time_point start = Clock::now();
+    const double before = seconds_since(start);
     std::string stopped_by = "passes";
     for (std::uint64_t pass = 0; settings.passes == 0 || pass < static_cast<std::uint64_t>(settings.passes); ++pass) {
-        if (time_is_up(settings, film.passes(), seconds_since(start))) {
+        if (time_is_up(settings, film.passes(), seconds_since(start), before)) {
             stopped_by = "time";
             break;
         }
         const PassResult result = renderer.render(pass);
         film.add_pass(result.image, &result.features);
-        if (progress && !progress(progress_of(settings, film, seconds_since(start)), film)) {
+        if (progress && !progress(progress_of(settings, renderer, film, seconds_since(start), before), film)) {
             stopped_by = "interrupt";
             break;
         }

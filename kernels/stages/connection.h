@@ -37,7 +37,8 @@ typedef struct {
 static inline void find_facing_planes(FacingPlanes* facing, Surroundings s, real3 from)
 {
     facing->count = 0;
-    if (!BOUNDARIES || NONCONVEX_MEDIA || s.container_count != 1u) return;
+    if (!BOUNDARIES) return;
+    if (NONCONVEX_MEDIA || s.container_count != 1u) return;
     ContainerRecord container = s.containers[0];
     for (uint i = 0; i < container.plane_count; ++i) {
         PlaneRecord plane = s.planes[container.first_plane + i];
