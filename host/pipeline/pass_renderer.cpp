@@ -145,7 +145,7 @@ void PassRenderer::fill(Report& report) const
 {
     report.layers = plan_.reports;
     report.max_depth = max_depth_;
-    report.light_paths = light_paths_, report.virtual_lights = virtual_lights_;
+    report.light_paths = light_paths_ * static_cast<std::uint64_t>(report.passes), report.virtual_lights = virtual_lights_;
     report.eye_segments = eye_segments_, report.eye_points = eye_points_;
     report.pairs = counts_.pairs, report.shadow_segments = counts_.shadow_segments;
     report.stages = clock_.stages();

@@ -54,6 +54,7 @@ bool flat_and_outermost(const Scene& scene, const Shape& shape)
     if (std::any_of(shape.mesh.vertices.begin(), shape.mesh.vertices.end(), off_plane)) return false;
     bool above = false, below = false;
     for (const Shape& other : scene.shapes) {
+        if (&other == &shape) continue;  // its own corners lie on the plane, those of its box need not
         const Bounds b = bounds_of(other);
         for (int corner = 0; corner < 8; ++corner) {
             const Vec3 v{corner & 1 ? b.high.x : b.low.x, corner & 2 ? b.high.y : b.low.y, corner & 4 ? b.high.z : b.low.z};
