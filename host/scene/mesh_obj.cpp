@@ -31,7 +31,8 @@ public:
         while (!bytes.empty()) {
             const std::size_t end = std::min(bytes.find('\n'), bytes.size());
             ++line_;
-            read_line(bytes.substr(0, std::min(bytes.find('#'), end)));
+            const std::string_view line = bytes.substr(0, end);
+            read_line(line.substr(0, line.find('#')));
             bytes.remove_prefix(std::min(end + 1, bytes.size()));
         }
         MeshFile file{.mesh = std::move(mesh_)};
