@@ -1,0 +1,39 @@
+#pragma once
+/// The pairs that every kernel benchmark works on: seeded, documented, the same for all.
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "device/pair_stage.hpp"
+
+namespace tyndall::bench {
+
+struct WorkloadWishes {
+    std::uint32_t eyes = 2048, lights = 1024;
+    bool coloured = false;
+    double g = .55;
+    float scale = 1;  ///< of all lengths (extinctions follow)
+    std::uint32_t seed = 5;
+};
+
+/// Eye rays and virtual ray lights in one homogeneous medium.
+struct Workload {
+    std::vector<EyeSegment> eyes;
+    std::vector<std::byte> lights;  ///< VirtualRayLight records
+    std::uint32_t light_count = 0;
+    MediaTables tables;
+
+    std::span<const std::byte> eye_bytes() const { return std::as_bytes(std::span(eyes)); }
+    std::uint64_t pairs() const { return std::uint64_t(eyes.size()) * light_count; }
+};
+
+/// Eye rays of length 6 leave (0, 0, -3) into the half space z > 0, bent towards the axis (a uniform direction with |z| + 1 in the place of z), in the order of
+/// a sorted grid of directions no more than in the order of drawing: neighbours are incoherent. Lights start uniformly in the cube [-1, 1]^3, have
+/// uniform directions and lengths uniform in [.5, 1.5]. Extinction .5 (coloured: .4, .5, .7), albedo .8, phase function HG. All times `scale`.
+Workload make_workload(const WorkloadWishes& wishes);
+
+/// Mask of kernels/shared/scene_features.h that the workload calls for.
+std::uint32_t features_of(const WorkloadWishes& wishes);
+
+}  // namespace tyndall::bench
