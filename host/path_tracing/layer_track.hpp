@@ -1,5 +1,6 @@
 #pragma once
-/// Which layer a camera path belongs to, as it grows: by its first and second scattering vertex and by what lies between them (tyndall/layer.hpp).
+/// Which layer a camera path belongs to, as it grows: by its first and second scattering vertex and by what lies between them
+/// (tyndall/layer.hpp).
 #include "tyndall/layer.hpp"
 
 namespace tyndall {
@@ -44,8 +45,9 @@ private:
     bool at_surface() const { return first_ == Vertex::surface; }
 
     /// By second vertex (none: the light itself), then by first: medium, surface.
-    static constexpr Layer by_vertices[3][2] = {
-        {Layer::single, Layer::surface_direct}, {Layer::media_to_media, Layer::media_to_surface}, {Layer::surface_to_media, Layer::surface_indirect}};
+    static constexpr Layer by_vertices[3][2] = {{Layer::single, Layer::surface_direct},
+                                                {Layer::media_to_media, Layer::media_to_surface},
+                                                {Layer::surface_to_media, Layer::surface_indirect}};
 
     Vertex first_ = Vertex::none, second_ = Vertex::none;
     bool specular_leg_ = false;

@@ -1,6 +1,6 @@
 #pragma once
-/// The unbiased volumetric path tracer, layer by layer: the whole image for --method path, the layers that virtual lights do not carry for the others,
-/// and the brute-force twin that every technique is tested against.
+/// The unbiased volumetric path tracer, layer by layer: the whole image for --method path, the layers that virtual lights do not carry for
+/// the others, and the brute-force twin that every technique is tested against.
 #include "film/pass_image.hpp"
 #include "scene/scene.hpp"
 #include "tyndall/layer.hpp"
@@ -14,10 +14,12 @@ struct PathTracingSettings {
     LayerSet layers;     ///< what to compute; paths that cannot reach any of them are ended
 };
 
-/// Adds one camera sample per pixel of the wanted layers to `image`. Parallel over pixels; the result does not depend on the number of threads.
+/// Adds one camera sample per pixel of the wanted layers to `image`. Parallel over pixels; the result does not depend on the number of
+/// threads.
 void trace_paths(const Scene& scene, const Visibility& visibility, const PathTracingSettings& settings, PassImage& image);
 
-/// Throws nothing; lists what the path tracer cannot carry in this scene (point, spot or directional light behind smooth glass), one sentence each.
+/// Throws nothing; lists what the path tracer cannot carry in this scene (point, spot or directional light behind smooth glass), one
+/// sentence each.
 std::vector<std::string> uncarried_light(const Scene& scene);
 
 }  // namespace tyndall

@@ -15,13 +15,17 @@ constexpr double small_angle = 1e-9;
 
 SeenStretch see_stretch(const Vec3& q, const Vec3& direction, double length)
 {
-    const double foot = glm::dot(q, direction), distance = std::max(glm::length(glm::cross(q, direction)), 0x1p-52 * (glm::length(q) + length));
-    return {.length = length, .foot = foot, .distance = distance, .angle = std::atan2(distance * length, distance * distance - foot * (length - foot))};
+    const double foot = glm::dot(q, direction),
+                 distance = std::max(glm::length(glm::cross(q, direction)), 0x1p-52 * (glm::length(q) + length));
+    return {.length = length,
+            .foot = foot,
+            .distance = distance,
+            .angle = std::atan2(distance * length, distance * distance - foot * (length - foot))};
 }
 
 double sample_angle(const SeenStretch& seen, double xi)
 {
-    // Eq. 4 of kernels/README.md: the offset from the start, without passing over the foot.
+    // The offset from the start itself: going over the foot (foot + d tan) would cancel when the foot lies far outside.
     const double d = seen.distance, t0 = -seen.foot, psi = xi * seen.angle;
     if (seen.angle < small_angle) {
         const double t1 = seen.length - seen.foot;
@@ -30,10 +34,7 @@ double sample_angle(const SeenStretch& seen, double xi)
     return std::clamp((d * d + t0 * t0) * std::sin(psi) / (d * std::cos(psi) - t0 * std::sin(psi)), 0.0, seen.length);
 }
 
-double pdf_angle_times_square(const SeenStretch& seen)
-{
-    return seen.distance / seen.angle;
-}
+double pdf_angle_times_square(const SeenStretch& seen) { return seen.distance / seen.angle; }
 
 double sample_mixture(const ExponentialMixture& mixture, const Vec2& xi)
 {

@@ -8,7 +8,7 @@ namespace tyndall {
 struct SeenStretch {
     double length;
     double foot;      ///< distance along the stretch of the point nearest to the light; may lie outside
-    double distance;  ///< of the light to the line, > 0: at least 2^-52 (|q| + length), so that densities stay finite for a light on the line
+    double distance;  ///< of the light to the line; at least 2^-52 (|q| + length), so that a light on the line has finite densities
     double angle;     ///< under which the light sees the stretch, in (0, pi]
 };
 

@@ -14,9 +14,9 @@
 namespace tyndall {
 namespace {
 
-constexpr double opaque_depth = 104;    ///< exp(-104) is 0 in float
-constexpr int roulette_mirrors = 8;     ///< mirrors and glass before Russian roulette begins
-constexpr double most_survival = .95;   ///< so that total internal reflection ends
+constexpr double opaque_depth = 104;   ///< exp(-104) is 0 in float
+constexpr int roulette_mirrors = 8;    ///< mirrors and glass before Russian roulette begins
+constexpr double most_survival = .95;  ///< so that total internal reflection ends
 
 double largest(const Rgb& c) { return std::max({c.x, c.y, c.z}); }
 double sum(const Rgb& c) { return c.x + c.y + c.z; }
@@ -85,8 +85,12 @@ private:
         for (const MediumPiece& piece : walk.pieces) {
             if (piece.medium == vacuum) continue;
             const Medium& medium = scene_.media[piece.medium];
-            const Stretch stretch{.medium = medium, .medium_index = piece.medium, .origin = ray.origin + piece.t0 * ray.direction, .direction = ray.direction,
-                                  .length = std::min(piece.t1 - piece.t0, opaque_from(medium, depth)), .throughput = throughput * glm::exp(-depth)};
+            const Stretch stretch{.medium = medium,
+                                  .medium_index = piece.medium,
+                                  .origin = ray.origin + piece.t0 * ray.direction,
+                                  .direction = ray.direction,
+                                  .length = std::min(piece.t1 - piece.t0, opaque_from(medium, depth)),
+                                  .throughput = throughput * glm::exp(-depth)};
             if (stretch.length > 0 && largest(stretch.throughput * medium.sigma_s()) > 0) radiance += scatter(stretch);
             depth += (piece.t1 - piece.t0) * medium.sigma_t;
         }
@@ -144,7 +148,8 @@ private:
         const double distance = glm::length(to_light);
         if (distance == 0) return Rgb(0);  // a direction does not exist; the set of such points has no measure
         const Vec3 direction = to_light / distance;
-        const Rgb radiance = scattered(stretch, chosen.u, direction) * intensity(scene_.emitters[emitter], point, -direction) / (point.pdf * chosen.density);
+        const Rgb radiance =
+            scattered(stretch, chosen.u, direction) * intensity(scene_.emitters[emitter], point, -direction) / (point.pdf * chosen.density);
         return largest(radiance) > 0 ? radiance * shared_.visibility.transmittance(x, stretch.medium_index, point.position) : Rgb(0);
     }
 
@@ -173,7 +178,8 @@ void trace_single(const Scene& scene, const Visibility& visibility, const PathTr
         tbb::parallel_for(0, image.height, [&](int y) {
             for (int x = 0; x < image.width; ++x) {
                 const std::size_t pixel = static_cast<std::size_t>(y) * image.width + x;
-                image[Layer::single][pixel] += SinglePath(shared, pixel).trace(sample_camera(scene.camera, x, y, settings.seed, settings.pass));
+                image[Layer::single][pixel] +=
+                    SinglePath(shared, pixel).trace(sample_camera(scene.camera, x, y, settings.seed, settings.pass));
             }
         });
     });

@@ -17,8 +17,9 @@ namespace {
 
 using Vertex = LayerTrack::Vertex;
 
-constexpr int roulette_vertices = 8;    ///< scattering vertices before Russian roulette begins
-constexpr double most_survival = .995;  ///< also where nothing is absorbed, so that every path ends; high, because each step below 1 costs variance there
+constexpr int roulette_vertices = 8;  ///< scattering vertices before Russian roulette begins
+constexpr double most_survival =
+    .995;  ///< also where nothing is absorbed, so that every path ends; high, because each step below 1 costs variance there
 
 double largest(const Rgb& c) { return std::max({c.x, c.y, c.z}); }
 
@@ -31,7 +32,8 @@ struct Shared {
     std::vector<int> constants{};  ///< the constant emitters
 };
 
-/// A path that begins at the camera and grows towards the lights. Every light that it meets by chance and every connection to a light adds to a layer.
+/// A path that begins at the camera and grows towards the lights. Every light that it meets by chance and every connection to a light adds
+/// to a layer.
 class CameraPath {
 public:
     CameraPath(const Shared& shared, PassImage& image, std::size_t pixel, const CameraSample& start)
@@ -77,12 +79,14 @@ private:
             radiance = emitted_radiance(scene_, walk.surface, ray_.direction);
             if (largest(radiance) > 0) radiance *= chance_weight(pdf_direct(shared_.emitters, ray_.origin, walk.surface));
         } else {
-            for (const int i : shared_.constants) radiance += scene_.emitters[i].value * chance_weight(pdf_direct_constant(shared_.emitters, i));
+            for (const int i : shared_.constants)
+                radiance += scene_.emitters[i].value * chance_weight(pdf_direct_constant(shared_.emitters, i));
         }
         if (largest(radiance) > 0) add(layer, throughput_ * radiance * transmittance_of(scene_, walk.pieces));
     }
 
-    /// Light that arrives at the vertex straight from an emitter; scatter(direction) gives phase function or BSDF x cosine and its sampling density.
+    /// Light that arrives at the vertex straight from an emitter; scatter(direction) gives phase function or BSDF x cosine and its sampling
+    /// density.
     template <class Scatter>
     void add_connection(const Scatter& scatter)
     {

@@ -10,16 +10,21 @@ namespace {
 std::string kind_without_size(const Emitter& emitter)
 {
     switch (emitter.type) {
-        case Emitter::Type::point: return "point";
-        case Emitter::Type::spot: return "spot";
-        case Emitter::Type::directional: return "directional";
-        default: return {};
+        case Emitter::Type::point:
+            return "point";
+        case Emitter::Type::spot:
+            return "spot";
+        case Emitter::Type::directional:
+            return "directional";
+        default:
+            return {};
     }
 }
 
 const Shape* first_specular(const Scene& scene)
 {
-    const auto found = std::find_if(scene.shapes.begin(), scene.shapes.end(), [&](const Shape& s) { return specular(scene.bsdfs[s.bsdf]); });
+    const auto found =
+        std::find_if(scene.shapes.begin(), scene.shapes.end(), [&](const Shape& s) { return specular(scene.bsdfs[s.bsdf]); });
     return found == scene.shapes.end() ? nullptr : &*found;
 }
 
@@ -32,8 +37,9 @@ std::vector<std::string> uncarried_light(const Scene& scene)
         const Shape* mirror = first_specular(scene);
         const std::string kind = kind_without_size(emitter);
         if (kind.empty() || !mirror) continue;
-        sentences.push_back(to_string(emitter.where) + ": " + kind + " light \"" + emitter.name + "\" has no size: path tracing does not find what it sends over the smooth glass or mirror \"" +
-                            mirror->name + "\" (" + to_string(mirror->where) + ") before it is scattered; use a small area light to see that light");
+        sentences.push_back(to_string(emitter.where) + ": " + kind + " light \"" + emitter.name +
+                            "\" has no size: path tracing does not find what it sends over the smooth glass or mirror \"" + mirror->name +
+                            "\" (" + to_string(mirror->where) + ") before it is scattered; use a small area light to see that light");
     }
     return sentences;
 }

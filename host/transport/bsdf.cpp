@@ -114,10 +114,14 @@ BsdfSample sample_bsdf(const Scene& scene, const Arrival& arrival, const Vec2& x
     const Side side = side_of(scene, arrival);
     if (!side.bsdf) return {};
     switch (side.bsdf->type) {
-        case Bsdf::Type::null: return {.direction = arrival.in, .weight = Rgb(1), .delta = true, .transmitted = true};
-        case Bsdf::Type::diffuse: return sample_diffuse(side, arrival, xi);
-        case Bsdf::Type::conductor: return sample_conductor(side, arrival);
-        case Bsdf::Type::dielectric: return sample_dielectric(side, arrival, xi.x);
+        case Bsdf::Type::null:
+            return {.direction = arrival.in, .weight = Rgb(1), .delta = true, .transmitted = true};
+        case Bsdf::Type::diffuse:
+            return sample_diffuse(side, arrival, xi);
+        case Bsdf::Type::conductor:
+            return sample_conductor(side, arrival);
+        case Bsdf::Type::dielectric:
+            return sample_dielectric(side, arrival, xi.x);
     }
     return {};
 }
@@ -133,7 +137,8 @@ double fresnel_dielectric(double cosine, double eta)
     const double sine2_behind = (1 - cosine * cosine) / (eta * eta);
     if (sine2_behind >= 1) return 1;
     const double behind = std::sqrt(1 - sine2_behind);
-    const double parallel = (eta * cosine - behind) / (eta * cosine + behind), perpendicular = (cosine - eta * behind) / (cosine + eta * behind);
+    const double parallel = (eta * cosine - behind) / (eta * cosine + behind),
+                 perpendicular = (cosine - eta * behind) / (cosine + eta * behind);
     return .5 * (parallel * parallel + perpendicular * perpendicular);
 }
 

@@ -5,8 +5,8 @@
 
 namespace tyndall {
 
-/// What a path carries: radiance on paths from the camera, importance's adjoint (flux) on paths from a light. They differ in refraction (radiance is
-/// divided by eta^2 on the way in) and at shading normals [Veach 1997, 5.2, 5.3].
+/// What a path carries: radiance on paths from the camera, importance's adjoint (flux) on paths from a light. They differ in refraction
+/// (radiance is divided by eta^2 on the way in) and at shading normals [Veach 1997, 5.2, 5.3].
 enum class TransportMode { radiance, importance };
 
 struct BsdfSample {
@@ -37,10 +37,12 @@ double pdf_bsdf(const Scene& scene, const Arrival& arrival, const Vec3& out);
 
 BsdfSample sample_bsdf(const Scene& scene, const Arrival& arrival, const Vec2& xi);
 
-/// Fraction of light that the side of the surface at which `in` arrives scatters in all directions (0 for specular and null surfaces and for black backs).
+/// Fraction of light that the side of the surface at which `in` arrives scatters in all directions (0 for specular and null surfaces and
+/// for black backs).
 Rgb diffuse_reflectance(const Scene& scene, const Hit& hit, const Vec3& in);
 
-/// Unpolarised Fresnel reflectance of a smooth boundary; cosine >= 0 on the side of arrival, eta = index behind / index before. 1 at total reflection.
+/// Unpolarised Fresnel reflectance of a smooth boundary; cosine >= 0 on the side of arrival, eta = index behind / index before. 1 at total
+/// reflection.
 double fresnel_dielectric(double cosine, double eta);
 
 /// The same for a conductor with complex index eta + i k relative to the outside.

@@ -7,7 +7,8 @@
 namespace tyndall {
 namespace {
 
-/// Offset in pixels with density proportional to exp(-x^2 / 2 sigma^2) - exp(-8) within 4 sigma, the filter of Mitsuba: a truncated normal, thinned.
+/// Offset in pixels with density proportional to exp(-x^2 / 2 sigma^2) - exp(-8) within 4 sigma, the filter of Mitsuba: a truncated normal,
+/// thinned.
 double sample_gaussian(double sigma, RandomSequence& random)
 {
     constexpr double radius = 4;  // in sigma
@@ -35,7 +36,9 @@ CameraSample camera_ray(const Camera& camera, const Vec2& film)
     const double per_depth = glm::length(local);  // distance along the ray per distance along the axis
     const Vec3 direction = glm::normalize(glm::dmat3(camera.to_world) * local);
     const double near = camera.near_clip * per_depth;
-    return {.ray = {.origin = Vec3(camera.to_world[3]) + near * direction, .direction = direction, .t_max = (camera.far_clip - camera.near_clip) * per_depth},
+    return {.ray = {.origin = Vec3(camera.to_world[3]) + near * direction,
+                    .direction = direction,
+                    .t_max = (camera.far_clip - camera.near_clip) * per_depth},
             .medium = camera.medium,
             .film = film,
             .near = near};

@@ -15,7 +15,9 @@ EmissionSample from_spot(const Emitter& emitter, const Vec2& xi)
 {
     const double height = one_minus_cos(emitter.cutoff);
     const Vec3 direction = Frame(emitter.direction).to_world(sample_uniform_cone(height, xi));
-    return {.origin = emitter.position, .direction = direction, .weight = emitter.value * (spot_falloff(emitter, direction) / pdf_uniform_cone(height))};
+    return {.origin = emitter.position,
+            .direction = direction,
+            .weight = emitter.value * (spot_falloff(emitter, direction) / pdf_uniform_cone(height))};
 }
 
 EmissionSample from_area(const EmitterSampler& emitters, int emitter, const Vec2& xi_position, const Vec2& xi_direction)
@@ -33,7 +35,8 @@ EmissionSample from_outside(const EmitterSampler& emitters, const Vec3& directio
 {
     const double r = emitters.scene_radius();
     const Vec3 on_disk = r * (sample_uniform_disk(xi) - Vec3(0, 0, 1));
-    return {.origin = emitters.scene_centre() + Frame(direction).to_world(on_disk), .direction = direction, .weight = weight * (pi * r * r)};
+    return {
+        .origin = emitters.scene_centre() + Frame(direction).to_world(on_disk), .direction = direction, .weight = weight * (pi * r * r)};
 }
 
 }  // namespace
@@ -43,10 +46,14 @@ EmissionSample sample_emission(const EmitterSampler& emitters, int emitter, cons
     const Emitter& e = emitters.scene().emitters[emitter];
     const auto begin = [&]() -> EmissionSample {
         switch (e.type) {
-            case Emitter::Type::point: return from_point(e, xi_direction);
-            case Emitter::Type::spot: return from_spot(e, xi_direction);
-            case Emitter::Type::area: return from_area(emitters, emitter, xi_position, xi_direction);
-            case Emitter::Type::directional: return from_outside(emitters, e.direction, xi_position, e.value);
+            case Emitter::Type::point:
+                return from_point(e, xi_direction);
+            case Emitter::Type::spot:
+                return from_spot(e, xi_direction);
+            case Emitter::Type::area:
+                return from_area(emitters, emitter, xi_position, xi_direction);
+            case Emitter::Type::directional:
+                return from_outside(emitters, e.direction, xi_position, e.value);
             case Emitter::Type::constant:
                 return from_outside(emitters, sample_uniform_sphere(xi_direction), xi_position, e.value / pdf_uniform_sphere);
         }

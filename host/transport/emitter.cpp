@@ -24,9 +24,12 @@ double spot_solid_angle(const Emitter& e)
 double unit_area(Shape::Type type)
 {
     switch (type) {
-        case Shape::Type::sphere: return 4 * pi;
-        case Shape::Type::cylinder: return 2 * pi;
-        default: return pi;
+        case Shape::Type::sphere:
+            return 4 * pi;
+        case Shape::Type::cylinder:
+            return 2 * pi;
+        default:
+            return pi;
     }
 }
 
@@ -41,12 +44,15 @@ EmitterPoint sample_quadric(const Shape& shape, const Vec2& xi)
 {
     Vec3 local, normal;
     switch (shape.type) {
-        case Shape::Type::sphere: local = normal = sample_uniform_sphere(xi); break;
+        case Shape::Type::sphere:
+            local = normal = sample_uniform_sphere(xi);
+            break;
         case Shape::Type::cylinder:
             normal = {std::cos(2 * pi * xi.x), std::sin(2 * pi * xi.x), 0};
             local = normal + Vec3(0, 0, xi.y);
             break;
-        default: local = sample_uniform_disk(xi), normal = {0, 0, 1};
+        default:
+            local = sample_uniform_disk(xi), normal = {0, 0, 1};
     }
     const Vec3 world = glm::normalize(glm::transpose(glm::inverse(glm::dmat3(shape.to_world))) * normal);
     return {.position = Vec3(shape.to_world * glm::dvec4(local, 1)),
@@ -54,7 +60,8 @@ EmitterPoint sample_quadric(const Shape& shape, const Vec2& xi)
             .pdf = 1 / (unit_area(shape.type) * area_stretch(shape, world))};
 }
 
-/// Mean over directions of the surface's stretch: exact for spheres under similarities, for disks always; good enough to choose emitters by.
+/// Mean over directions of the surface's stretch: exact for spheres under similarities, for disks always; good enough to choose emitters
+/// by.
 double quadric_area(const Shape& shape)
 {
     constexpr int n = 16;
@@ -74,7 +81,8 @@ std::size_t find_interval(const std::vector<double>& cumulative, double value)
 
 EmitterSampler::EmitterSampler(const Scene& scene) : scene_(scene), tables_(scene.emitters.size())
 {
-    if (const Bounds bounds = bounds_of(scene); !bounds.empty()) centre_ = bounds.centre(), radius_ = bounds.radius() * (1 + 0x1p-10) + 2 * Visibility::surface_offset;
+    if (const Bounds bounds = bounds_of(scene); !bounds.empty())
+        centre_ = bounds.centre(), radius_ = bounds.radius() * (1 + 0x1p-10) + 2 * Visibility::surface_offset;
     for (std::size_t i = 0; i < scene.emitters.size(); ++i) {
         const Emitter& emitter = scene.emitters[i];
         const double area = emitter.type == Emitter::Type::area ? surface_area(scene.shapes[emitter.shape], tables_[i]) : 0;
@@ -88,11 +96,16 @@ double EmitterSampler::power(const Emitter& emitter, double surface_area) const
 {
     const double value = mean(emitter.value), disk = pi * radius_ * radius_;
     switch (emitter.type) {
-        case Emitter::Type::point: return 4 * pi * value;
-        case Emitter::Type::spot: return spot_solid_angle(emitter) * value;
-        case Emitter::Type::area: return pi * surface_area * value;
-        case Emitter::Type::directional: return disk * value;
-        case Emitter::Type::constant: return 4 * pi * disk * value;
+        case Emitter::Type::point:
+            return 4 * pi * value;
+        case Emitter::Type::spot:
+            return spot_solid_angle(emitter) * value;
+        case Emitter::Type::area:
+            return pi * surface_area * value;
+        case Emitter::Type::directional:
+            return disk * value;
+        case Emitter::Type::constant:
+            return 4 * pi * disk * value;
     }
     return 0;
 }
@@ -154,10 +167,14 @@ double spot_falloff(const Emitter& emitter, const Vec3& out)
 Rgb intensity(const Emitter& emitter, const EmitterPoint& point, const Vec3& out)
 {
     switch (emitter.type) {
-        case Emitter::Type::point: return emitter.value;
-        case Emitter::Type::spot: return emitter.value * spot_falloff(emitter, out);
-        case Emitter::Type::area: return emitter.value * std::max(0.0, glm::dot(point.normal, out));
-        default: return Rgb(0);
+        case Emitter::Type::point:
+            return emitter.value;
+        case Emitter::Type::spot:
+            return emitter.value * spot_falloff(emitter, out);
+        case Emitter::Type::area:
+            return emitter.value * std::max(0.0, glm::dot(point.normal, out));
+        default:
+            return Rgb(0);
     }
 }
 
@@ -166,7 +183,8 @@ DirectSample sample_direct(const EmitterSampler& emitters, int emitter, const Ve
     const Emitter& e = emitters.scene().emitters[emitter];
     if (e.type == Emitter::Type::directional) return {.direction = -e.direction, .weight = e.value, .delta = true, .infinite = true};
     if (e.type == Emitter::Type::constant)
-        return {.direction = sample_uniform_sphere(xi), .weight = e.value / pdf_uniform_sphere, .pdf = pdf_uniform_sphere, .infinite = true};
+        return {
+            .direction = sample_uniform_sphere(xi), .weight = e.value / pdf_uniform_sphere, .pdf = pdf_uniform_sphere, .infinite = true};
     const EmitterPoint point = emitters.sample_point(emitter, xi);
     const Vec3 to_light = point.position - reference;
     const double distance = glm::length(to_light);

@@ -10,28 +10,28 @@ namespace tyndall {
 /// A point on a light that has a place (point, spot, area).
 struct EmitterPoint {
     Vec3 position;
-    Vec3 normal{0};   ///< unit, on the glowing side; 0 for point and spot
-    double pdf = 1;   ///< per area; 1 for point and spot, which have one point
+    Vec3 normal{0};  ///< unit, on the glowing side; 0 for point and spot
+    double pdf = 1;  ///< per area; 1 for point and spot, which have one point
 };
 
 /// Light that arrives at a reference point along a straight line, before transmittance and visibility.
 struct DirectSample {
-    Vec3 direction;           ///< unit, from the reference point to the light
-    double distance = 1e30;   ///< to the light
-    Vec3 position{0};         ///< on the light; meaningless if infinite
-    Rgb weight{0};            ///< estimate of the integral of radiance over solid angle, given the emitter: radiance / pdf, or intensity / distance^2
-    double pdf = 0;           ///< per steradian at the reference point, given the emitter; 0 if delta
-    bool delta = false;       ///< no ray finds this light by chance (point, spot, directional)
-    bool infinite = false;    ///< from outside the scene (directional, constant)
+    Vec3 direction;          ///< unit, from the reference point to the light
+    double distance = 1e30;  ///< to the light
+    Vec3 position{0};        ///< on the light; meaningless if infinite
+    Rgb weight{0};  ///< estimate of the integral of radiance over solid angle, given the emitter: radiance / pdf, or intensity / distance^2
+    double pdf = 0;         ///< per steradian at the reference point, given the emitter; 0 if delta
+    bool delta = false;     ///< no ray finds this light by chance (point, spot, directional)
+    bool infinite = false;  ///< from outside the scene (directional, constant)
 };
 
 /// Where light begins.
 struct EmissionSample {
-    Vec3 origin;              ///< already off the emitting surface (Visibility::surface_offset); on the scene's bounding sphere's disk if from outside
-    Vec3 direction;           ///< of travel
-    Rgb weight{0};            ///< emitted radiance x cosine / density: its mean is the emitter's power
-    Vec3 normal{0};           ///< of the emitting surface, 0 if none
-    int medium = vacuum;      ///< in which it starts
+    Vec3 origin;  ///< already off the emitting surface (Visibility::surface_offset); on the scene's bounding sphere's disk if from outside
+    Vec3 direction;       ///< of travel
+    Rgb weight{0};        ///< emitted radiance x cosine / density: its mean is the emitter's power
+    Vec3 normal{0};       ///< of the emitting surface, 0 if none
+    int medium = vacuum;  ///< in which it starts
 };
 
 struct EmitterChoice {
@@ -84,7 +84,8 @@ double spot_falloff(const Emitter& emitter, const Vec3& out);
 /// Direct light at `reference` from one emitter.
 DirectSample sample_direct(const EmitterSampler& emitters, int emitter, const Vec3& reference, const Vec2& xi);
 
-/// Density per steradian, times the choice's probability, with which sample_direct at `reference` finds the area emitter that a ray from there met at `hit`.
+/// Density per steradian, times the choice's probability, with which sample_direct at `reference` finds the area emitter that a ray from
+/// there met at `hit`.
 double pdf_direct(const EmitterSampler& emitters, const Vec3& reference, const Hit& hit);
 
 /// The same for a ray that left the scene and a constant emitter.
@@ -96,7 +97,8 @@ Rgb emitted_radiance(const Scene& scene, const Hit& hit, const Vec3& direction);
 /// Begins a light path: xi_position chooses where, xi_direction which way.
 EmissionSample sample_emission(const EmitterSampler& emitters, int emitter, const Vec2& xi_position, const Vec2& xi_direction);
 
-/// Transmittance from `from` (in `medium`) to the light of `sample`, 0 if blocked. Light from outside crosses whatever lies on its way, without end.
+/// Transmittance from `from` (in `medium`) to the light of `sample`, 0 if blocked. Light from outside crosses whatever lies on its way,
+/// without end.
 Rgb transmittance_to(const Visibility& visibility, const Scene& scene, const Vec3& from, int medium, const DirectSample& sample);
 
 }  // namespace tyndall

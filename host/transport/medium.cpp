@@ -13,7 +13,8 @@ Rgb depth_of(const Scene& scene, const MediumPiece& piece, double t)
     return piece.medium == vacuum ? Rgb(0) : (t - piece.t0) * scene.media[piece.medium].sigma_t;
 }
 
-/// exp(-depth) / sum_c share_c exp(-depth_c) x factor_c, per channel; the least depth is taken out first, so that nothing underflows to 0/0.
+/// exp(-depth) / sum_c share_c exp(-depth_c) x factor_c, per channel; the least depth is taken out first, so that nothing underflows to
+/// 0/0.
 Rgb balanced(const Rgb& share, const Rgb& depth, const Rgb& factor)
 {
     double least = 1e300;

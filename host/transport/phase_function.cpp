@@ -6,8 +6,8 @@
 namespace tyndall {
 namespace {
 
-/// Inverse of the distribution of mu. With s = 2 xi - 1 the textbook's (1 + g^2 - ((1 - g^2) / (1 + g s))^2) / 2g has a factor g in its numerator;
-/// divided out, nothing cancels at g = 0.
+/// Inverse of the distribution of mu. With s = 2 xi - 1 the textbook's (1 + g^2 - ((1 - g^2) / (1 + g s))^2) / 2g has a factor g in its
+/// numerator; divided out, nothing cancels at g = 0.
 double henyey_greenstein_cosine(double g, double xi)
 {
     const double s = 2 * xi - 1, k = 1 + g * s, h = 1 + g * g;

@@ -61,7 +61,8 @@ inline Vec2 sample_uniform_triangle(const Vec2& xi)
 /// The interval's inner position of xi, after it chose the interval [low, high): in [0, 1).
 inline double rescale(double xi, double low, double high) { return std::clamp((xi - low) / (high - low), 0.0, 0x1.fffffffffffffp-1); }
 
-/// Power heuristic with exponent 2 of two densities of the same measure [Veach 1997, 9.2.4], as a ratio: no overflow, no 0/0 unless both are 0.
+/// Power heuristic with exponent 2 of two densities of the same measure [Veach 1997, 9.2.4], as a ratio: no overflow, no 0/0 unless both
+/// are 0.
 inline double mis_weight(double pdf, double other)
 {
     if (pdf >= other) {

@@ -77,9 +77,8 @@ int cut_at_boundaries(Crossings& crossings, const WalkedPart& part, int medium, 
         for (std::size_t next = first; next < end; ++next) {
             const std::span<Crossing> group(crossings.data() + next, end - next), crossed(crossings.data() + first, next - first);
             bring_next_forward(group, crossed, cutter.medium());
-            const bool again = group[0].from != cutter.medium() && std::any_of(crossed.begin(), crossed.end(), [&](const Crossing& done) {
-                return same_side(done, group[0]);
-            });
+            const bool again = group[0].from != cutter.medium() &&
+                               std::any_of(crossed.begin(), crossed.end(), [&](const Crossing& done) { return same_side(done, group[0]); });
             if (!again) cutter.cross(group[0]);
         }
         first = end;

@@ -21,7 +21,11 @@ Crossing crossing_of(const ExactQuery& query, int shape, double t, Vec3 normal)
     if (s.flip_normals) normal = -normal;
     const double cosine = glm::dot(query.ray.direction, normal);
     const bool entering = cosine <= 0;
-    return {.t = t, .cosine = std::abs(cosine), .shape = shape, .from = entering ? s.exterior : s.interior, .to = entering ? s.interior : s.exterior};
+    return {.t = t,
+            .cosine = std::abs(cosine),
+            .shape = shape,
+            .from = entering ? s.exterior : s.interior,
+            .to = entering ? s.interior : s.exterior};
 }
 
 /// Offers a hit to the query; true if it is the nearest surface so far. Boundaries that are collected never stop the ray.
@@ -59,7 +63,8 @@ float offer_quadric(ExactQuery& query, unsigned shape)
 {
     const TracedShape& traced = query.state->shapes[shape];
     const Shape::Type type = traced.shape->type;
-    const Vec3 origin = transform_point(traced.to_local, query.ray.origin), direction = transform_direction(traced.to_local, query.ray.direction);
+    const Vec3 origin = transform_point(traced.to_local, query.ray.origin),
+               direction = transform_direction(traced.to_local, query.ray.direction);
     const QuadricHits hits = meet_quadric(type, origin, direction);
     float accepted = -1;
     for (int i = 0; i < hits.count; ++i) {
@@ -99,7 +104,8 @@ void occlude_quadric(const RTCOccludedFunctionNArguments* arguments)
         if (!arguments->valid[i]) continue;
         const Vec3 o(RTCRayN_org_x(rays, n, i), RTCRayN_org_y(rays, n, i), RTCRayN_org_z(rays, n, i));
         const Vec3 d(RTCRayN_dir_x(rays, n, i), RTCRayN_dir_y(rays, n, i), RTCRayN_dir_z(rays, n, i));
-        const QuadricHits hits = meet_quadric(traced.shape->type, transform_point(traced.to_local, o), transform_direction(traced.to_local, d));
+        const QuadricHits hits =
+            meet_quadric(traced.shape->type, transform_point(traced.to_local, o), transform_direction(traced.to_local, d));
         for (int k = 0; k < hits.count; ++k)
             if (hits.t[k] > RTCRayN_tnear(rays, n, i) && hits.t[k] < RTCRayN_tfar(rays, n, i)) RTCRayN_tfar(rays, n, i) = blocked;
     }
@@ -132,7 +138,9 @@ void fill_triangles(RTCGeometry geometry, const Mesh& mesh)
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
     auto* triangles = static_cast<unsigned*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), mesh.triangles.size()));
-    if (!vertices || !triangles) throw Error("visibility: not enough memory for a mesh of " + std::to_string(mesh.triangles.size()) + " triangles; use a coarser mesh");
+    if (!vertices || !triangles)
+        throw Error("visibility: not enough memory for a mesh of " + std::to_string(mesh.triangles.size()) +
+                    " triangles; use a coarser mesh");
     for (const Vec3& p : mesh.vertices)
         for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(p[axis]);
     for (const glm::uvec3& t : mesh.triangles)
@@ -172,17 +180,20 @@ Visibility::State::State(const Scene& traced_scene, int threads)
       device(rtcNewDevice(threads > 0 ? ("threads=" + std::to_string(threads)).c_str() : nullptr)),
       arena(threads > 0 ? threads : tbb::task_arena::automatic)
 {
-    if (!device) throw Error("visibility: Embree does not start on this processor (error " + std::to_string(rtcGetDeviceError(nullptr)) + ")");
+    if (!device)
+        throw Error("visibility: Embree does not start on this processor (error " + std::to_string(rtcGetDeviceError(nullptr)) + ")");
     solid.reset(new_scene(device.get())), null.reset(new_scene(device.get()));
     for (const Shape& shape : scene.shapes)
-        shapes.push_back({.shape = &shape, .null = scene.bsdfs[shape.bsdf].type == Bsdf::Type::null, .to_local = glm::inverse(shape.to_world)});
+        shapes.push_back(
+            {.shape = &shape, .null = scene.bsdfs[shape.bsdf].type == Bsdf::Type::null, .to_local = glm::inverse(shape.to_world)});
     for (unsigned i = 0; i < shapes.size(); ++i) {
         attach(*this, shapes[i].null ? null.get() : solid.get(), i);
         (shapes[i].null ? has_nulls : has_solids) = true;
         has_null_boundaries |= shapes[i].null && shapes[i].shape->medium_boundary;
     }
     rtcCommitScene(solid.get()), rtcCommitScene(null.get());
-    if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE) throw Error("visibility: Embree could not build the scene; is there enough memory?");
+    if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE)
+        throw Error("visibility: Embree could not build the scene; is there enough memory?");
 }
 
 ExactQuery::ExactQuery(const Visibility::State& s, const Ray& r) : state(&s), ray(r), limit(r.t_max)

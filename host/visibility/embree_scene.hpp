@@ -1,5 +1,6 @@
 #pragma once
-/// The scene as Embree sees it: one Embree scene of everything that blocks light, one of the null surfaces. Only host/visibility includes this.
+/// The scene as Embree sees it: one Embree scene of everything that blocks light, one of the null surfaces. Only host/visibility includes
+/// this.
 #include <embree3/rtcore.h>
 
 #include <atomic>
@@ -25,8 +26,8 @@ using ScenePointer = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 /// What Embree's callbacks need to know of a shape.
 struct TracedShape {
     const Shape* shape;
-    bool null;       ///< its surface lets everything pass unchanged
-    Mat4 to_local;   ///< for analytic shapes
+    bool null;      ///< its surface lets everything pass unchanged
+    Mat4 to_local;  ///< for analytic shapes
 };
 
 struct Visibility::State {

@@ -62,10 +62,14 @@ bool meet_plane(const Mesh& mesh, unsigned triangle, const Ray& ray, TriangleHit
 QuadricHits meet_quadric(Shape::Type type, const Vec3& local_origin, const Vec3& local_direction)
 {
     switch (type) {
-        case Shape::Type::sphere: return meet_sphere(local_origin, local_direction);
-        case Shape::Type::cylinder: return meet_cylinder(local_origin, local_direction);
-        case Shape::Type::disk: return meet_disk(local_origin, local_direction);
-        case Shape::Type::mesh: break;
+        case Shape::Type::sphere:
+            return meet_sphere(local_origin, local_direction);
+        case Shape::Type::cylinder:
+            return meet_cylinder(local_origin, local_direction);
+        case Shape::Type::disk:
+            return meet_disk(local_origin, local_direction);
+        case Shape::Type::mesh:
+            break;
     }
     return {};
 }
@@ -80,18 +84,24 @@ Vec3 triangle_normal(const Mesh& mesh, unsigned triangle)
 Vec3 onto_quadric(Shape::Type type, const Vec3& p)
 {
     switch (type) {
-        case Shape::Type::sphere: return glm::normalize(p);
-        case Shape::Type::cylinder: return Vec3(glm::normalize(Vec2(p)), p.z);
-        default: return {p.x, p.y, 0};
+        case Shape::Type::sphere:
+            return glm::normalize(p);
+        case Shape::Type::cylinder:
+            return Vec3(glm::normalize(Vec2(p)), p.z);
+        default:
+            return {p.x, p.y, 0};
     }
 }
 
 Vec3 quadric_normal(Shape::Type type, const Vec3& p)
 {
     switch (type) {
-        case Shape::Type::sphere: return p;
-        case Shape::Type::cylinder: return {p.x, p.y, 0};
-        default: return {0, 0, 1};
+        case Shape::Type::sphere:
+            return p;
+        case Shape::Type::cylinder:
+            return {p.x, p.y, 0};
+        default:
+            return {0, 0, 1};
     }
 }
 

@@ -11,7 +11,8 @@ struct TriangleHit {
     double t, u, v;
 };
 
-/// False if the line lies in the triangle's plane or the triangle has no area. No test against the edges: Embree has decided that, watertight.
+/// False if the line lies in the triangle's plane or the triangle has no area. No test against the edges: Embree has decided that,
+/// watertight.
 bool meet_plane(const Mesh& mesh, unsigned triangle, const Ray& ray, TriangleHit& hit);
 
 /// A point on an analytic shape in the shape's own space: up to two distances along the line, ascending.

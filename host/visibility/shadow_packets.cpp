@@ -40,7 +40,8 @@ int lanes_to_trace(const ShadowPacket& p, int (&valid)[lanes])
     for (int i = 0; i < lanes; ++i) {
         // x - x is 0 for finite x and NaN otherwise
         const float sum = (p.origin_x[i] - p.origin_x[i]) + (p.origin_y[i] - p.origin_y[i]) + (p.origin_z[i] - p.origin_z[i]) +
-                          (p.direction_x[i] - p.direction_x[i]) + (p.direction_y[i] - p.direction_y[i]) + (p.direction_z[i] - p.direction_z[i]);
+                          (p.direction_x[i] - p.direction_x[i]) + (p.direction_y[i] - p.direction_y[i]) +
+                          (p.direction_z[i] - p.direction_z[i]);
         const bool idle = p.tfar[i] < p.tnear[i], finite = sum == 0 && p.tnear[i] >= 0 && p.tfar[i] >= p.tnear[i];
         valid[i] = !idle & finite ? -1 : 0;
         invalid += !idle & !finite;
@@ -89,9 +90,8 @@ void Visibility::occluded(std::span<ShadowPacket> packets) const
     constexpr std::size_t grain = 64;  // packets: a few microseconds of tracing, a task's overhead disappears in it
     if (packets.size() <= grain || state_->arena.max_concurrency() == 1) return answer_all(*state_, packets);
     state_->arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, packets.size(), grain), [&](const auto& range) {
-            answer_all(*state_, packets.subspan(range.begin(), range.size()));
-        });
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, packets.size(), grain),
+                          [&](const auto& range) { answer_all(*state_, packets.subspan(range.begin(), range.size())); });
     });
 }
 

@@ -76,7 +76,12 @@ Hit mesh_hit(const Mesh& mesh, const ExactQuery& query)
         const double length = glm::length(smooth);
         if (length > 0) shading = smooth / (glm::dot(smooth, normal) < 0 ? -length : length);
     }
-    return {.t = query.t, .position = v0 + query.u * e1 + query.v * e2, .geometric_normal = normal, .shading_normal = shading, .shape = query.shape, .primitive = query.primitive};
+    return {.t = query.t,
+            .position = v0 + query.u * e1 + query.v * e2,
+            .geometric_normal = normal,
+            .shading_normal = shading,
+            .shape = query.shape,
+            .primitive = query.primitive};
 }
 
 Hit quadric_hit(const TracedShape& traced, const ExactQuery& query)
@@ -84,7 +89,12 @@ Hit quadric_hit(const TracedShape& traced, const ExactQuery& query)
     const Vec3 along = query.ray.origin + query.t * query.ray.direction;
     const Vec3 local = onto_quadric(traced.shape->type, Vec3(traced.to_local * glm::dvec4(along, 1)));
     const Vec3 normal = glm::normalize(glm::transpose(glm::dmat3(traced.to_local)) * quadric_normal(traced.shape->type, local));
-    return {.t = query.t, .position = Vec3(traced.shape->to_world * glm::dvec4(local, 1)), .geometric_normal = normal, .shading_normal = normal, .shape = query.shape, .primitive = 0};
+    return {.t = query.t,
+            .position = Vec3(traced.shape->to_world * glm::dvec4(local, 1)),
+            .geometric_normal = normal,
+            .shading_normal = normal,
+            .shape = query.shape,
+            .primitive = 0};
 }
 
 Hit hit_of(const ExactQuery& query)

@@ -21,9 +21,9 @@ struct Ray {
 
 struct Hit {
     double t;
-    Vec3 position;           ///< recomputed on the primitive in double, not origin + t direction
-    Vec3 geometric_normal;   ///< unit, outward (flip_normals applied), not turned towards the ray
-    Vec3 shading_normal;     ///< unit, same hemisphere as geometric_normal
+    Vec3 position;          ///< recomputed on the primitive in double, not origin + t direction
+    Vec3 geometric_normal;  ///< unit, outward (flip_normals applied), not turned towards the ray
+    Vec3 shading_normal;    ///< unit, same hemisphere as geometric_normal
     int shape;
     unsigned primitive;
 };
@@ -36,10 +36,11 @@ struct MediumPiece {
 
 /// A ray followed through null boundaries.
 struct RayWalk {
-    boost::container::small_vector<MediumPiece, 8> pieces;  ///< in order, touching, vacuum included; the last ends at the surface or at the ray's t_max
-    bool found = false;                                     ///< met a surface that is not null
-    Hit surface;                                            ///< that surface, if found
-    int medium = vacuum;                                    ///< the medium in front of it (of the last piece)
+    /// In order, touching, vacuum included; the last ends at the surface or at the ray's t_max.
+    boost::container::small_vector<MediumPiece, 8> pieces;
+    bool found = false;   ///< met a surface that is not null
+    Hit surface;          ///< that surface, if found
+    int medium = vacuum;  ///< the medium in front of it (of the last piece)
 };
 
 class Visibility {
@@ -52,20 +53,23 @@ public:
     /// Nearest hit with any surface, null ones included. False if none.
     bool intersect(const Ray& ray, Hit& hit) const;
 
-    /// Follows the ray from `medium` through null boundaries (crossing one sets the medium by the side of its normal) to the first surface that is not
-    /// null or to t_max. Coincident boundaries of adjacent or nested media are crossed in the order in which their media match.
+    /// Follows the ray from `medium` through null boundaries (crossing one sets the medium by the side of its normal) to the first surface
+    /// that is not null or to t_max. Coincident boundaries of adjacent or nested media are crossed in the order in which their media match.
     RayWalk walk(const Ray& ray, int medium) const;
 
     /// The medium that a ray leaving `hit` in `direction` is in, when it came from `medium` (unchanged unless the shape bounds a medium).
     int medium_behind(const Hit& hit, const Vec3& direction, int medium) const;
 
-    /// Origin for a ray that leaves the surface at `hit` in `direction`: moved off the surface along the geometric normal by `surface_offset`.
+    /// Origin for a ray that leaves the surface at `hit` in `direction`: moved off the surface along the geometric normal by
+    /// `surface_offset`.
     Vec3 leave(const Hit& hit, const Vec3& direction) const;
 
-    /// True if a surface that is not null (opaque, mirror, glass) lies strictly between the points. Both ends are pulled back by `endpoint_rounding`.
+    /// True if a surface that is not null (opaque, mirror, glass) lies strictly between the points. Both ends are pulled back by
+    /// `endpoint_rounding`.
     bool occluded(const Vec3& from, const Vec3& to) const;
 
-    /// Transmittance per channel of the straight segment between the points, from medium `medium` at `from`, through null boundaries; 0 if anything else blocks it.
+    /// Transmittance per channel of the straight segment between the points, from medium `medium` at `from`, through null boundaries; 0 if
+    /// anything else blocks it.
     Rgb transmittance(const Vec3& from, int medium, const Vec3& to) const;
 
     /// The same as optical depth: +infinity in every channel where blocked.

@@ -28,7 +28,8 @@ struct PointInFog {
         const auto f = [&](long double x) {
             const Vec3 to_light = light - Vec3(double(x), 0, 0);
             const double w = glm::length(to_light);
-            return (long double)(sigma_s * std::exp(-sigma_t * (double(x) + .5)) * hg(g, to_light.x / w) * std::exp(-sigma_t * w) * 2 / (w * w));
+            return (long double)(sigma_s * std::exp(-sigma_t * (double(x) + .5)) * hg(g, to_light.x / w) * std::exp(-sigma_t * w) * 2 /
+                                 (w * w));
         };
         return double(integrate(f, -.5, .5, 1e-12L));
     }
@@ -57,8 +58,15 @@ TEST(SingleScattering, BothWaysAgreeForEveryKindOfLightAndColour)
         s.container(Vec3(-.5), Vec3(.5), {.interior = fog});
         s.box({-.1, .1, -.1}, {.1, .2, .1}, grey);  // an occluder
         if (kind == "area") s.glow(s.square({0, .8, 0}, {0, -1, 0}, .2, grey), Rgb(5));
-        if (kind == "spot") s.emitter({.type = Emitter::Type::spot, .value = Rgb(5), .position = {.1, .8, -.1}, .direction = {0, -1, 0}, .cutoff = .6, .beam = .3});
-        if (kind == "directional") s.emitter({.type = Emitter::Type::directional, .value = Rgb(1), .direction = glm::normalize(Vec3(.3, -1, .2))});
+        if (kind == "spot")
+            s.emitter({.type = Emitter::Type::spot,
+                       .value = Rgb(5),
+                       .position = {.1, .8, -.1},
+                       .direction = {0, -1, 0},
+                       .cutoff = .6,
+                       .beam = .3});
+        if (kind == "directional")
+            s.emitter({.type = Emitter::Type::directional, .value = Rgb(1), .direction = glm::normalize(Vec3(.3, -1, .2))});
         if (kind == "constant") s.constant(Rgb(1));
         s.camera({0, 0, -1.2}, {0, 0, 1}, 8, .8);
         for (const int channel : {0, 1, 2}) {

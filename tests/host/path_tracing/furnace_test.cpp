@@ -94,7 +94,8 @@ TEST(WhiteFurnace, ASmallAbsorptionIsNotLostByRussianRoulette)
     s.bound(s.sphere(Vec3(0), .5, s.null()), {.interior = fog});
     s.constant(Rgb(1));
     s.camera({0, 0, -1.2}, {0, 0, 1}, 4, .3);
-    const double white = render(s.scene, {.channel = 0}).image.value(), grey = render(s.scene, {.channel = 1}).image.value(), black = render(s.scene, {.channel = 2}).image.value();
+    const double white = render(s.scene, {.channel = 0}).image.value(), grey = render(s.scene, {.channel = 1}).image.value(),
+                 black = render(s.scene, {.channel = 2}).image.value();
     EXPECT_NEAR(white, 1, .02);
     EXPECT_LT(grey, .9);
     EXPECT_GT(grey, black);

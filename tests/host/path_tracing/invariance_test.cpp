@@ -38,7 +38,9 @@ TEST(PathTracing, TheNumberOfThreadsDoesNotChangeABit)
 TEST(PathTracing, SeedAndPassChangeTheNoise)
 {
     const BuiltScene s = busy_scene();
-    const auto image = [&](std::uint64_t seed, std::uint64_t pass) { return one_pass(s.scene, {.seed = seed, .pass = pass, .layers = LayerSet::all()}).layers; };
+    const auto image = [&](std::uint64_t seed, std::uint64_t pass) {
+        return one_pass(s.scene, {.seed = seed, .pass = pass, .layers = LayerSet::all()}).layers;
+    };
     EXPECT_NE(image(1, 0), image(2, 0));
     EXPECT_NE(image(1, 0), image(1, 1));
 }
@@ -110,7 +112,8 @@ TEST(PathTracing, MaxDepthCountsScatteringVertices)
     EXPECT_EQ(lit(0), LayerSet());
     EXPECT_EQ(lit(1), LayerSet().add(Layer::emitted));
     EXPECT_EQ(lit(2), LayerSet().add(Layer::surface_direct).add(Layer::single).add(Layer::emitted));
-    LayerSet three = lit(2).add(Layer::surface_indirect).add(Layer::surface_to_media).add(Layer::media_to_media).add(Layer::media_to_surface);
+    LayerSet three =
+        lit(2).add(Layer::surface_indirect).add(Layer::surface_to_media).add(Layer::media_to_media).add(Layer::media_to_surface);
     EXPECT_EQ(lit(3) & three, three);
     EXPECT_FALSE(lit(3).contains(Layer::surface_indirect_specular));  // needs three vertices
 }

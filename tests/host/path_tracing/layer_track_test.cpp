@@ -43,7 +43,8 @@ TEST(LayerTrack, WhatCanBeReachedShrinksToTheLayer)
     LayerSet from_medium;
     for (const Layer layer : {Layer::single, Layer::surface_to_media, Layer::media_to_media}) from_medium.add(layer).add(specular(layer));
     EXPECT_EQ(after({'m'}).reachable(), from_medium);
-    EXPECT_EQ(after({'m', 'g'}).reachable(), LayerSet().add(Layer::single_specular).add(Layer::surface_to_media_specular).add(Layer::media_to_media_specular));
+    EXPECT_EQ(after({'m', 'g'}).reachable(),
+              LayerSet().add(Layer::single_specular).add(Layer::surface_to_media_specular).add(Layer::media_to_media_specular));
     EXPECT_EQ(after({'s', 'm', 's'}).reachable(), LayerSet().add(Layer::media_to_surface));
 }
 

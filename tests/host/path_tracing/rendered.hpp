@@ -25,7 +25,8 @@ inline Rendered render(const Scene& scene, const RenderPlan& plan)
     result.pixels.resize(static_cast<std::size_t>(scene.camera.crop_width) * scene.camera.crop_height);
     for (int pass = 0; pass < plan.passes; ++pass) {
         PassImage image(scene.camera.crop_width, scene.camera.crop_height, plan.layers);
-        PathTracingSettings settings{.seed = 3, .pass = static_cast<std::uint64_t>(pass), .max_depth = plan.max_depth, .layers = plan.layers};
+        PathTracingSettings settings{
+            .seed = 3, .pass = static_cast<std::uint64_t>(pass), .max_depth = plan.max_depth, .layers = plan.layers};
         if (plan.single_by_light) settings.layers.remove(Layer::single), trace_single(scene, visibility, settings, image);
         trace_paths(scene, visibility, settings, image);
         double total = 0;

@@ -37,7 +37,9 @@ TEST(AngleSampling, DensityIntegratesToOne)
     for (const double d : {1e-4, .1, 3.})
         for (const double foot : {-2., .3, 5.}) {
             const SeenStretch seen = see_stretch({d, 0, foot}, {0, 0, 1}, 1.5);
-            const auto pdf = [&](long double u) { return (long double)pdf_angle_times_square(seen) / ((long double)d * d + (u - foot) * (u - foot)); };
+            const auto pdf = [&](long double u) {
+                return (long double)pdf_angle_times_square(seen) / ((long double)d * d + (u - foot) * (u - foot));
+            };
             EXPECT_NEAR(double(integrate(pdf, 0, 1.5, 1e-12L)), 1, 1e-9);
         }
 }
@@ -60,7 +62,8 @@ TEST(ExponentialMixture, SamplesFollowItsDensity)
     constexpr int bins = 20, draws = 100000;
     std::vector<double> observed(bins, 0.0), expected;
     for (int i = 0; i < bins; ++i)
-        expected.push_back(draws * double(integrate([&](long double u) { return (long double)pdf_mixture(mixture, double(u)); }, i * .1L, (i + 1) * .1L, 1e-10L)));
+        expected.push_back(draws * double(integrate([&](long double u) { return (long double)pdf_mixture(mixture, double(u)); }, i * .1L,
+                                                    (i + 1) * .1L, 1e-10L)));
     RandomSequence random = numbers(1);
     for (int i = 0; i < draws; ++i) ++observed[std::min(int(sample_mixture(mixture, random.next2()) * 10), bins - 1)];
     EXPECT_GT(chi_square_p(observed, expected), false_alarm_rate);

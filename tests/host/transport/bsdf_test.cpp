@@ -92,10 +92,11 @@ TEST(Bsdf, NormalsThatDisagreeLeakNoLight)
 
 TEST(Fresnel, DielectricKnownValues)
 {
-    EXPECT_NEAR(fresnel_dielectric(1, 1.5), .04, 1e-15);              // ((n-1)/(n+1))^2
-    EXPECT_NEAR(fresnel_dielectric(std::cos(std::atan(1.5)), 1.5), .5 * std::pow((1.5 * 1.5 - 1) / (1.5 * 1.5 + 1), 2), 1e-15);  // Brewster: no parallel part
-    EXPECT_EQ(fresnel_dielectric(.3, 1 / 1.5), 1);                    // total
-    EXPECT_NEAR(fresnel_dielectric(1e-9, 1.5), 1, 1e-7);              // grazing
+    EXPECT_NEAR(fresnel_dielectric(1, 1.5), .04, 1e-15);  // ((n-1)/(n+1))^2
+    EXPECT_NEAR(fresnel_dielectric(std::cos(std::atan(1.5)), 1.5), .5 * std::pow((1.5 * 1.5 - 1) / (1.5 * 1.5 + 1), 2),
+                1e-15);                                   // Brewster: no parallel part
+    EXPECT_EQ(fresnel_dielectric(.3, 1 / 1.5), 1);        // total
+    EXPECT_NEAR(fresnel_dielectric(1e-9, 1.5), 1, 1e-7);  // grazing
     EXPECT_EQ(fresnel_dielectric(.4, 1), 0);
 }
 

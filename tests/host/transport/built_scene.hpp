@@ -56,12 +56,17 @@ public:
     /// A square of the given half side around `centre`, facing `normal`.
     int square(const Vec3& centre, const Vec3& normal, double half, int bsdf)
     {
-        const Vec3 helper = std::abs(normal.x) < .5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0), s = glm::normalize(glm::cross(helper, normal)), t = glm::cross(normal, s);
-        return mesh(rectangle_mesh(), Mat4(glm::dvec4(half * s, 0), glm::dvec4(half * t, 0), glm::dvec4(normal, 0), glm::dvec4(centre, 1)), bsdf);
+        const Vec3 helper = std::abs(normal.x) < .5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0), s = glm::normalize(glm::cross(helper, normal)),
+                   t = glm::cross(normal, s);
+        return mesh(rectangle_mesh(), Mat4(glm::dvec4(half * s, 0), glm::dvec4(half * t, 0), glm::dvec4(normal, 0), glm::dvec4(centre, 1)),
+                    bsdf);
     }
     int sphere(const Vec3& centre, double radius, int bsdf)
     {
-        return shape({.name = "sphere", .type = Shape::Type::sphere, .to_world = glm::translate(Mat4(1), centre) * glm::scale(Mat4(1), Vec3(radius)), .bsdf = bsdf});
+        return shape({.name = "sphere",
+                      .type = Shape::Type::sphere,
+                      .to_world = glm::translate(Mat4(1), centre) * glm::scale(Mat4(1), Vec3(radius)),
+                      .bsdf = bsdf});
     }
 
     int emitter(const Emitter& e)
@@ -84,10 +89,18 @@ public:
     /// Looks from `position` along unit `forward`; the film is square, `pixels` wide, seen under `fov` radians.
     void camera(const Vec3& position, const Vec3& forward, int pixels, double fov = .5, int medium = vacuum)
     {
-        const Vec3 helper = std::abs(forward.y) < .9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0), left = glm::normalize(glm::cross(helper, forward)), up = glm::cross(forward, left);
+        const Vec3 helper = std::abs(forward.y) < .9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0), left = glm::normalize(glm::cross(helper, forward)),
+                   up = glm::cross(forward, left);
         scene.camera = {.to_world = Mat4(glm::dvec4(left, 0), glm::dvec4(up, 0), glm::dvec4(forward, 0), glm::dvec4(position, 1)),
-                        .fov_x = fov, .near_clip = 1e-6, .far_clip = 1e4, .width = pixels, .height = pixels, .crop_width = pixels, .crop_height = pixels,
-                        .filter = {.type = Filter::Type::box}, .medium = medium};
+                        .fov_x = fov,
+                        .near_clip = 1e-6,
+                        .far_clip = 1e4,
+                        .width = pixels,
+                        .height = pixels,
+                        .crop_width = pixels,
+                        .crop_height = pixels,
+                        .filter = {.type = Filter::Type::box},
+                        .medium = medium};
     }
 };
 

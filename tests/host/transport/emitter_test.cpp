@@ -20,17 +20,37 @@ struct Lit {
         built.square(receiver_centre, receiver_normal, half, grey);
         if (kind == "point") built.point({.3, .2, -.1}, {1, 2, 3});
         if (kind == "spot")
-            built.emitter({.type = Emitter::Type::spot, .value = {1, 2, 3}, .position = {.3, .2, -.1}, .direction = glm::normalize(Vec3(-.3, -1, .2)), .cutoff = .6, .beam = .3});
+            built.emitter({.type = Emitter::Type::spot,
+                           .value = {1, 2, 3},
+                           .position = {.3, .2, -.1},
+                           .direction = glm::normalize(Vec3(-.3, -1, .2)),
+                           .cutoff = .6,
+                           .beam = .3});
         if (kind == "sharp spot")
-            built.emitter({.type = Emitter::Type::spot, .value = {1, 2, 3}, .position = {.3, .2, -.1}, .direction = glm::normalize(Vec3(-.3, -1, .2)), .cutoff = .3, .beam = .3});
+            built.emitter({.type = Emitter::Type::spot,
+                           .value = {1, 2, 3},
+                           .position = {.3, .2, -.1},
+                           .direction = glm::normalize(Vec3(-.3, -1, .2)),
+                           .cutoff = .3,
+                           .beam = .3});
         if (kind == "square") built.glow(built.square({.2, .3, 0}, glm::normalize(Vec3(.2, -1, .1)), .3, grey), {1, 2, 3});
         if (kind == "box") built.glow(built.box({0, .1, 0}, {.3, .2, .4}, grey), {1, 2, 3});
         if (kind == "sphere") built.glow(built.sphere({.2, .1, 0}, .3, grey), {1, 2, 3});
         const Mat4 turn = glm::rotate(glm::translate(Mat4(1), Vec3(.2, .1, -.1)), 2.1, glm::normalize(Vec3(1, .4, .2)));
-        if (kind == "ellipsoid") built.glow(built.shape({.type = Shape::Type::sphere, .to_world = turn * glm::scale(Mat4(1), Vec3(.3, .1, .2)), .bsdf = grey}), {1, 2, 3});
-        if (kind == "disk") built.glow(built.shape({.type = Shape::Type::disk, .to_world = turn * glm::scale(Mat4(1), Vec3(.3, .1, .2)), .flip_normals = false, .bsdf = grey}), {1, 2, 3});
-        if (kind == "cylinder") built.glow(built.shape({.type = Shape::Type::cylinder, .to_world = turn * glm::scale(Mat4(1), Vec3(.2, .1, .4)), .bsdf = grey}), {1, 2, 3});
-        if (kind == "directional") built.emitter({.type = Emitter::Type::directional, .value = {1, 2, 3}, .direction = glm::normalize(Vec3(.3, -1, .1))});
+        if (kind == "ellipsoid")
+            built.glow(built.shape({.type = Shape::Type::sphere, .to_world = turn * glm::scale(Mat4(1), Vec3(.3, .1, .2)), .bsdf = grey}),
+                       {1, 2, 3});
+        if (kind == "disk")
+            built.glow(built.shape({.type = Shape::Type::disk,
+                                    .to_world = turn * glm::scale(Mat4(1), Vec3(.3, .1, .2)),
+                                    .flip_normals = false,
+                                    .bsdf = grey}),
+                       {1, 2, 3});
+        if (kind == "cylinder")
+            built.glow(built.shape({.type = Shape::Type::cylinder, .to_world = turn * glm::scale(Mat4(1), Vec3(.2, .1, .4)), .bsdf = grey}),
+                       {1, 2, 3});
+        if (kind == "directional")
+            built.emitter({.type = Emitter::Type::directional, .value = {1, 2, 3}, .direction = glm::normalize(Vec3(.3, -1, .1))});
         if (kind == "constant") built.constant({1, 2, 3});
     }
 };
@@ -82,11 +102,14 @@ TEST_P(EmitterKind, ColourIsTheEmitters)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, EmitterKind, testing::Values("point", "spot", "sharp spot", "square", "box", "sphere", "ellipsoid", "disk", "cylinder", "directional", "constant"));
+INSTANTIATE_TEST_SUITE_P(Kinds, EmitterKind,
+                         testing::Values("point", "spot", "sharp spot", "square", "box", "sphere", "ellipsoid", "disk", "cylinder",
+                                         "directional", "constant"));
 
 class AreaKind : public testing::TestWithParam<const char*> {};
 
-// The density that multiple importance sampling uses must be the one that sampling has: for a ray in a direction that sample_direct drew, pdf_direct says the same.
+// The density that multiple importance sampling uses must be the one that sampling has: for a ray in a direction that sample_direct drew,
+// pdf_direct says the same.
 TEST_P(AreaKind, DensityOfAHitIsTheDensityOfTheSample)
 {
     const Lit lit(GetParam());
@@ -99,7 +122,8 @@ TEST_P(AreaKind, DensityOfAHitIsTheDensityOfTheSample)
         const DirectSample d = sample_direct(emitters, 0, from, random.next2());
         if (d.pdf == 0) continue;
         Hit hit;
-        ASSERT_TRUE(visibility.intersect({.origin = from, .direction = d.direction, .t_min = d.distance * (1 - 1e-9), .t_max = d.distance * (1 + 1e-6)}, hit));
+        ASSERT_TRUE(visibility.intersect(
+            {.origin = from, .direction = d.direction, .t_min = d.distance * (1 - 1e-9), .t_max = d.distance * (1 + 1e-6)}, hit));
         ++compared;
         EXPECT_NEAR(pdf_direct(emitters, from, hit) / d.pdf, 1, 1e-6);
         EXPECT_EQ(emitted_radiance(lit.built.scene, hit, d.direction), Rgb(1, 2, 3));
@@ -128,7 +152,8 @@ TEST(Emitter, PowerIsTheMeanEmission)
     expect_mean(power("square"), pi * .36, "square");
     expect_mean(power("sphere"), pi * 4 * pi * .09, "sphere");
     // falloff 1 to .3, then linear to 0 at .6 rad
-    const double cone = 2 * pi * double(integrate([](long double a) { return std::sin(a) * (a < .3L ? 1 : (.6L - a) / .3L); }, 0, .6L, 1e-12L));
+    const double cone =
+        2 * pi * double(integrate([](long double a) { return std::sin(a) * (a < .3L ? 1 : (.6L - a) / .3L); }, 0, .6L, 1e-12L));
     expect_mean(power("spot"), cone, "spot");
     expect_mean(power("sharp spot"), 2 * pi * (1 - std::cos(.3)), "sharp spot");
 }
@@ -170,7 +195,8 @@ TEST(Emitter, TransmittanceToLightFromOutsideCrossesEverything)
     const DirectSample up{.direction = {0, 0, 1}, .infinite = true}, down{.direction = {0, 0, -1}, .infinite = true};
     EXPECT_NEAR(transmittance_to(visibility, s.scene, Vec3(0), fog, up).x, std::exp(-.5), 1e-12);
     EXPECT_EQ(transmittance_to(visibility, s.scene, Vec3(0), fog, down), Rgb(0));
-    EXPECT_EQ(transmittance_to(visibility, s.scene, {0, 0, .6}, fog, up), Rgb(0, 0, 1)) << "an unbounded medium lets nothing in where it absorbs";
+    EXPECT_EQ(transmittance_to(visibility, s.scene, {0, 0, .6}, fog, up), Rgb(0, 0, 1))
+        << "an unbounded medium lets nothing in where it absorbs";
 }
 
 }  // namespace

@@ -107,7 +107,8 @@ TEST(ExponentialDistance, UndoesItsDistributionAtEveryDepth)
         }
         EXPECT_EQ(sample_exponential(sigma, length, 0), 0);
         const double end = std::min(length, 40 / sigma);  // beyond lies exp(-40)
-        const double total = double(integrate([&](long double t) { return (long double)pdf_exponential(sigma, length, double(t)); }, 0, end, 1e-11L));
+        const double total =
+            double(integrate([&](long double t) { return (long double)pdf_exponential(sigma, length, double(t)); }, 0, end, 1e-11L));
         EXPECT_NEAR(total, 1, 1e-9) << depth;
     }
     EXPECT_EQ(pdf_exponential(0, 4, 1), .25);

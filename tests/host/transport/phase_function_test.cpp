@@ -40,7 +40,9 @@ TEST_P(PhaseFunctionOf, SamplesFollowIt)
     const PhaseFunction phase = hg(GetParam());
     const Vec3 in = glm::normalize(Vec3(1, -2, .5));
     RandomSequence random = numbers(1);
-    const double p = direction_p(200000, [&] { return sample_phase(phase, in, random.next2()).direction; }, [&](const Vec3& d) { return evaluate_phase(phase, in, d); });
+    const double p = direction_p(
+        200000, [&] { return sample_phase(phase, in, random.next2()).direction; },
+        [&](const Vec3& d) { return evaluate_phase(phase, in, d); });
     EXPECT_GT(p, false_alarm_rate);
 }
 
@@ -67,7 +69,8 @@ TEST(PhaseFunction, KeepsItsDigitsAtTheForwardPeak)
     for (const double g : {.99, .999, .9999, .999999}) {
         for (const double angle : {0., 1e-9, 1e-6, 1e-3, .1}) {
             const long double s = std::sin(.5L * angle), base = (1 - (long double)g) * (1 - (long double)g) + 4 * g * s * s;
-            const long double exact = (1 - (long double)g) * (1 + (long double)g) / (4 * 3.14159265358979323846264L * base * std::sqrt(base));
+            const long double exact =
+                (1 - (long double)g) * (1 + (long double)g) / (4 * 3.14159265358979323846264L * base * std::sqrt(base));
             const Vec3 out(std::sin(angle), 0, std::cos(angle));
             EXPECT_NEAR(evaluate_phase(hg(g), {0, 0, 1}, out) / double(exact), 1, 1e-9) << g << ' ' << angle;
             EXPECT_NEAR(evaluate_phase(hg(-g), {0, 0, -1}, out) / double(exact), 1, 1e-9) << g << ' ' << angle;
@@ -89,7 +92,13 @@ TEST(PhaseFunction, IsotropicIsTheSameInAllDirections)
 {
     RandomSequence random = numbers(3);
     const PhaseFunction phase;
-    EXPECT_GT(direction_p(100000, [&] { return sample_phase(phase, {0, 0, 1}, random.next2()).direction; }, [](const Vec3&) { return 1 / (4 * pi); }), false_alarm_rate);
+    EXPECT_GT(direction_p(
+                  100000,
+                  [&] {
+                      return sample_phase(phase, {0, 0, 1}, random.next2()).direction;
+                  },
+                  [](const Vec3&) { return 1 / (4 * pi); }),
+              false_alarm_rate);
 }
 
 TEST(Frame, IsOrthonormalAndRightHandedEverywhere)

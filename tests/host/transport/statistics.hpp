@@ -1,5 +1,6 @@
 #pragma once
-/// Means with error bars, and directions in cells, for tests of samplers. A z-test at `allowed_sigmas` raises a false alarm once in 1.7 million.
+/// Means with error bars, and directions in cells, for tests of samplers. A z-test at `allowed_sigmas` raises a false alarm once in 1.7
+/// million.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,7 +28,8 @@ private:
 
 inline void expect_mean(const Mean& mean, double expected, const char* what = "")
 {
-    EXPECT_NEAR(mean.value(), expected, allowed_sigmas * mean.error() + 1e-12 * std::abs(expected)) << what << ", standard error " << mean.error();
+    EXPECT_NEAR(mean.value(), expected, allowed_sigmas * mean.error() + 1e-12 * std::abs(expected))
+        << what << ", standard error " << mean.error();
 }
 inline void expect_same(const Mean& a, const Mean& b, const char* what = "")
 {
@@ -49,7 +51,8 @@ double direction_p(int draws, const Sample& sample, const Pdf& pdf)
     for (int cell = 0; cell < rows * columns; ++cell) {
         const double z0 = -1 + 2.0 * (cell / columns) / rows, phi0 = 2 * pi * (double(cell % columns) / columns - .5);
         const auto over_azimuth = [&](long double z) {
-            return integrate([&](long double phi) { return (long double)pdf(spherical(double(z), double(phi) / (2 * pi))); }, phi0, phi0 + 2 * pi / columns, 1e-9L, 12);
+            return integrate([&](long double phi) { return (long double)pdf(spherical(double(z), double(phi) / (2 * pi))); }, phi0,
+                             phi0 + 2 * pi / columns, 1e-9L, 12);
         };
         const double mass = draws * double(integrate(over_azimuth, z0, z0 + 2.0 / rows, 1e-9L, 12));
         const bool rare = mass < 8;

@@ -30,7 +30,10 @@ Cut cut(std::initializer_list<Crossing> list, int start, const WalkedPart& part 
     return result;
 }
 
-Crossing at(double t, int shape, int from, int to, double cosine = 1) { return {.t = t, .cosine = cosine, .shape = shape, .from = from, .to = to}; }
+Crossing at(double t, int shape, int from, int to, double cosine = 1)
+{
+    return {.t = t, .cosine = cosine, .shape = shape, .from = from, .to = to};
+}
 
 using testing::ElementsAre;
 

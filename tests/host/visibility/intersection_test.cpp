@@ -26,13 +26,15 @@ TEST(Intersection, SphereIsMetWhereTheQuadraticSaysFromInsideAndOutside)
     for (int i = 0; i < 2000; ++i) {
         const Vec3 o = in_cube(random, 1), d = sample_uniform_sphere(random.next2()), c = o - Vec3(.1, -.2, .3);
         const double b = glm::dot(c, d), discriminant = b * b - glm::dot(c, c) + .16;
-        const double near = -b - std::sqrt(std::max(discriminant, 0.0)), far = -b + std::sqrt(std::max(discriminant, 0.0)), t = near > 0 ? near : far;
+        const double near = -b - std::sqrt(std::max(discriminant, 0.0)), far = -b + std::sqrt(std::max(discriminant, 0.0)),
+                     t = near > 0 ? near : far;
         Hit hit;
         const bool found = visibility.intersect({.origin = o, .direction = d}, hit);
         ASSERT_EQ(found, discriminant > 0 && t > 0) << i;
         if (!found) continue;
         ++met;
-        EXPECT_NEAR(hit.t, t, 1e-14 / std::sqrt(discriminant) + 1e-14) << i;  // the discriminant is off by a few 1e-16, its root by that over 2 sqrt
+        EXPECT_NEAR(hit.t, t, 1e-14 / std::sqrt(discriminant) + 1e-14)
+            << i;  // the discriminant is off by a few 1e-16, its root by that over 2 sqrt
         EXPECT_NEAR(glm::length(hit.position - Vec3(.1, -.2, .3)), .4, 1e-15);
         EXPECT_NEAR(glm::length(hit.position - (o + hit.t * d)), 0, 1e-12);
         EXPECT_NEAR(glm::dot(hit.geometric_normal, hit.position - Vec3(.1, -.2, .3)), .4, 1e-15);
@@ -53,7 +55,8 @@ class AnalyticShape : public testing::TestWithParam<Shape::Type> {};
 TEST_P(AnalyticShape, HitsLieOnTheStretchedShapeAndNormalsPointOutwards)
 {
     BuiltScene s;
-    const Mat4 to_world = glm::rotate(glm::translate(Mat4(1), Vec3(.2, .1, -.1)), 1.1, glm::normalize(Vec3(1, 2, 3))) * glm::scale(Mat4(1), Vec3(.5, .2, .3));
+    const Mat4 to_world =
+        glm::rotate(glm::translate(Mat4(1), Vec3(.2, .1, -.1)), 1.1, glm::normalize(Vec3(1, 2, 3))) * glm::scale(Mat4(1), Vec3(.5, .2, .3));
     for (const bool flip : {false, true}) {
         s.scene.shapes.clear();
         s.shape({.name = "shape", .type = GetParam(), .to_world = to_world, .flip_normals = flip, .bsdf = s.diffuse(Rgb(.5))});
@@ -69,7 +72,9 @@ TEST_P(AnalyticShape, HitsLieOnTheStretchedShapeAndNormalsPointOutwards)
             EXPECT_NEAR(off_surface(GetParam(), local), 0, 1e-14);
             EXPECT_LT(glm::length(hit.position - ray.origin - hit.t * ray.direction), 1e-9);
             // central difference along the normal: the implicit function grows outwards
-            const auto value = [&](double h) { return off_surface(GetParam(), Vec3(glm::inverse(to_world) * glm::dvec4(hit.position + h * hit.geometric_normal, 1))); };
+            const auto value = [&](double h) {
+                return off_surface(GetParam(), Vec3(glm::inverse(to_world) * glm::dvec4(hit.position + h * hit.geometric_normal, 1)));
+            };
             const Vec3 tangent = glm::normalize(glm::cross(hit.geometric_normal, Vec3(.3, .5, .8)));
             const double along = off_surface(GetParam(), Vec3(glm::inverse(to_world) * glm::dvec4(hit.position + 1e-6 * tangent, 1)));
             EXPECT_GT((value(1e-6) - value(-1e-6)) * (flip ? -1 : 1), 1e-6);

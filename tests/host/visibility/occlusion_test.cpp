@@ -14,7 +14,10 @@ using test::BuiltScene;
 namespace {
 
 RandomSequence numbers(std::uint64_t which) { return {13, 0, RandomStream::pilot, which}; }
-Vec3 between(RandomSequence& random, const Vec3& low, const Vec3& high) { return low + Vec3(random.next(), random.next(), random.next()) * (high - low); }
+Vec3 between(RandomSequence& random, const Vec3& low, const Vec3& high)
+{
+    return low + Vec3(random.next(), random.next(), random.next()) * (high - low);
+}
 
 BuiltScene closed_room()
 {
@@ -92,7 +95,10 @@ struct Occluders : BuiltScene {
     {
         sphere({.3, .1, 0}, .25, diffuse(Rgb(.5)));
         box({-.6, -.4, -.3}, {-.2, .2, .3}, 0);
-        shape({.name = "cylinder", .type = Shape::Type::cylinder, .to_world = glm::translate(Mat4(1), Vec3(.2, -.6, 0)) * glm::scale(Mat4(1), Vec3(.2, .2, .4)), .bsdf = 0});
+        shape({.name = "cylinder",
+               .type = Shape::Type::cylinder,
+               .to_world = glm::translate(Mat4(1), Vec3(.2, -.6, 0)) * glm::scale(Mat4(1), Vec3(.2, .2, .4)),
+               .bsdf = 0});
         container(Vec3(-.9), Vec3(.9), {});
     }
 };
@@ -169,7 +175,8 @@ TEST(ShadowPackets, LanesThatAreNotFiniteAreBlockedCountedAndHarmNobody)
     const Visibility visibility(scene.scene, 1);
     std::vector<ShadowPacket> packets{idle_packet()};
     for (int i = 0; i < 5; ++i) set_lane(packets[0], i, {0, .8, 0}, {.1, .8, .1});
-    packets[0].origin_x[1] = NAN, packets[0].direction_y[2] = INFINITY, packets[0].tnear[3] = -1, packets[0].origin_y[7] = NAN;  // lane 7 is idle
+    packets[0].origin_x[1] = NAN, packets[0].direction_y[2] = INFINITY, packets[0].tnear[3] = -1,
+    packets[0].origin_y[7] = NAN;  // lane 7 is idle
     visibility.occluded(packets);
     EXPECT_EQ(packets[0].tfar[0], 1 - 1e-6f);
     for (const int i : {1, 2, 3}) EXPECT_EQ(packets[0].tfar[i], -std::numeric_limits<float>::infinity());

@@ -13,7 +13,10 @@ using test::BuiltScene;
 namespace {
 
 RandomSequence numbers(std::uint64_t which) { return {11, 0, RandomStream::pilot, which}; }
-Vec3 between(RandomSequence& random, const Vec3& low, const Vec3& high) { return low + Vec3(random.next(), random.next(), random.next()) * (high - low); }
+Vec3 between(RandomSequence& random, const Vec3& low, const Vec3& high)
+{
+    return low + Vec3(random.next(), random.next(), random.next()) * (high - low);
+}
 
 struct Box {
     Vec3 low, high;
@@ -41,7 +44,8 @@ double length_in(const Box& box, const Vec3& from, const Vec3& to)
 
 bool inside(const Box& box, const Vec3& p) { return glm::all(glm::greaterThan(p, box.low)) && glm::all(glm::lessThan(p, box.high)); }
 
-/// Random segments between points anywhere, against the lengths in the boxes. `inner` lies in `outer` (its depth replaces the outer's) or beside it.
+/// Random segments between points anywhere, against the lengths in the boxes. `inner` lies in `outer` (its depth replaces the outer's) or
+/// beside it.
 void expect_depths(const BuiltScene& s, const Box& first, const Box& second, bool nested)
 {
     const Visibility visibility(s.scene, 1);
@@ -96,7 +100,8 @@ TEST(Walk, OpticalDepthOfNestedBoxesThatShareFaces)
     m.s.container(inner.low, inner.high, {.interior = m.b, .exterior = m.a}), m.s.container(outer.low, outer.high, {.interior = m.a});
     const Visibility visibility(m.s.scene, 1);
     RandomSequence random = numbers(2);
-    // Where the inner box touches the outer one's face its outside is vacuum, but it says medium a: leaving both there must give vacuum, in either order.
+    // Where the inner box touches the outer one's face its outside is vacuum, but it says medium a: leaving both there must give vacuum, in
+    // either order.
     for (int i = 0; i < 3000; ++i) {
         const Vec3 from = between(random, inner.low, inner.high), d = sample_uniform_sphere(random.next2());
         const RayWalk walk = visibility.walk({.origin = from, .direction = d, .t_max = 10}, m.b);
@@ -138,7 +143,8 @@ TEST(Walk, APointThatRoundsAcrossABoundaryStillLeavesIt)
         EXPECT_EQ(out.medium, vacuum) << depth;
         ASSERT_EQ(out.pieces.size(), 2u) << depth;
         EXPECT_NEAR(out.pieces[0].t1, depth, 1e-15);
-        EXPECT_EQ(visibility.walk({.origin = {.1, .2, 1. / 3 + depth}, .direction = {0, 0, 1}, .t_max = 1}, vacuum).pieces.size(), 1u) << depth;
+        EXPECT_EQ(visibility.walk({.origin = {.1, .2, 1. / 3 + depth}, .direction = {0, 0, 1}, .t_max = 1}, vacuum).pieces.size(), 1u)
+            << depth;
     }
 }
 
@@ -155,7 +161,8 @@ TEST(Walk, AFogBoxThatStandsOnAFloorKeepsItsMediumThere)
         ASSERT_TRUE(walk.found);
         EXPECT_EQ(walk.medium, m.a);
         const Vec3 up = sample_uniform_sphere(random.next2()) + Vec3(0, 1.01, 0), direction = glm::normalize(up);
-        const RayWalk away = visibility.walk({.origin = visibility.leave(walk.surface, direction), .direction = direction, .t_max = 5}, walk.medium);
+        const RayWalk away =
+            visibility.walk({.origin = visibility.leave(walk.surface, direction), .direction = direction, .t_max = 5}, walk.medium);
         EXPECT_EQ(away.medium, vacuum);
         EXPECT_EQ(away.pieces.front().medium, m.a);
     }
