@@ -1,158 +1,171 @@
 #include "scene/scene_features.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
 #include "kernels/shared/host_features.hpp"
+#include "scene/scene_effects.hpp"
+#include "scene/text.hpp"
 
 namespace tyndall {
 namespace {
 
-constexpr std::size_t most_planes = 64;  ///< a container with more is walked on the host: the kernel's loop over planes would cost more
+constexpr Layer connected_layers[] = {Layer::media_to_media, Layer::media_to_surface};
 
-bool is_null(const Scene& scene, const Shape& shape) { return scene.bsdfs[static_cast<std::size_t>(shape.bsdf)].type == Bsdf::Type::null; }
-
-bool overlap(const Bounds& a, const Bounds& b, double slack)
-{
-    for (int axis = 0; axis < 3; ++axis)
-        if (a.high[axis] <= b.low[axis] + slack || b.high[axis] <= a.low[axis] + slack) return false;
-    return true;
-}
-
-/// The distinct planes of a convex mesh; nothing if there are more than a kernel should loop over.
-std::optional<std::vector<HalfSpace>> planes_of(const Mesh& mesh)
-{
-    std::vector<HalfSpace> planes;
-    for (const glm::uvec3& t : mesh.triangles) {
-        const Vec3 &a = mesh.vertices[t.x], &b = mesh.vertices[t.y], &c = mesh.vertices[t.z];
-        const Vec3 n = glm::cross(b - a, c - a);
-        const double area = glm::length(n);
-        if (area == 0) continue;
-        const HalfSpace plane{n / area, glm::dot(n / area, (a + b + c) / 3.0)};
-        const bool known = std::any_of(planes.begin(), planes.end(), [&](const HalfSpace& p) {
-            return glm::distance(p.normal, plane.normal) < 1e-7 && std::abs(p.offset - plane.offset) < 1e-9;  // two triangles of one facet, in double
-        });
-        if (!known) planes.push_back(plane);
-        if (planes.size() > most_planes) return std::nullopt;
+/// Notes why the kernels of a layer, or of both, need a feature. Only the first cause of each is kept.
+class FeatureNotes {
+public:
+    void need(Layer layer, std::uint32_t bit, const Cause& cause)
+    {
+        const bool known = std::any_of(causes_.begin(), causes_.end(), [&](const FeatureCause& c) { return c.bit == bit && c.layer == layer; });
+        if (!known) causes_.push_back({bit, layer, cause.sentence, cause.where});
     }
-    // The mesh may be wound inwards: its centre is inside.
-    const Bounds bounds = [&] { Bounds b; for (const Vec3& v : mesh.vertices) b.grow(v); return b; }();
-    for (HalfSpace& p : planes)
-        if (glm::dot(p.normal, bounds.centre()) > p.offset) p.normal = -p.normal, p.offset = -p.offset;
-    return planes;
-}
-
-/// A surface that cannot stand between two points on the scene's shapes or inside its containers: flat, with all shapes on one side of it.
-/// (Not so in a medium without bounds: there, points exist beyond every wall's edge.)
-bool flat_and_outermost(const Scene& scene, const Shape& shape)
-{
-    if (shape.type != Shape::Type::mesh || shape.mesh.triangles.empty()) return false;
-    const auto planes = planes_of(shape.mesh);
-    if (!planes) return false;
-    const HalfSpace plane = planes->front();
-    const auto off_plane = [&](const Vec3& v) { return std::abs(glm::dot(plane.normal, v) - plane.offset) > 1e-7; };
-    if (std::any_of(shape.mesh.vertices.begin(), shape.mesh.vertices.end(), off_plane)) return false;
-    bool above = false, below = false;
-    for (const Shape& other : scene.shapes) {
-        if (&other == &shape) continue;  // its own corners lie on the plane, those of its box need not
-        const Bounds b = bounds_of(other);
-        for (int corner = 0; corner < 8; ++corner) {
-            const Vec3 v{corner & 1 ? b.high.x : b.low.x, corner & 2 ? b.high.y : b.low.y, corner & 4 ? b.high.z : b.low.z};
-            const double side = glm::dot(plane.normal, v) - plane.offset;
-            above |= side > 1e-7, below |= side < -1e-7;
-        }
+    void need(std::uint32_t bit, const Cause& cause)
+    {
+        for (const Layer layer : connected_layers) need(layer, bit, cause);
     }
-    return !(above && below);
-}
-
-/// Null boundaries as containers; nothing if they are not disjoint convex polyhedra in vacuum with the camera's and the emitters' media consistent.
-std::optional<std::vector<Container>> containers_of(const Scene& scene)
-{
-    std::vector<Container> containers;
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-        const Shape& shape = scene.shapes[i];
-        if (!shape.medium_boundary || (shape.interior == vacuum && shape.exterior == vacuum)) continue;
-        if (!is_null(scene, shape) || shape.exterior != vacuum || shape.type != Shape::Type::mesh || !shape.mesh.closed || !shape.mesh.convex || shape.flip_normals)
-            return std::nullopt;
-        for (const Container& other : containers)
-            if (overlap(bounds_of(shape), bounds_of(scene.shapes[static_cast<std::size_t>(other.shape)]), 0)) return std::nullopt;
-        auto planes = planes_of(shape.mesh);
-        if (!planes) return std::nullopt;
-        containers.push_back({shape.interior, static_cast<int>(i), std::move(*planes)});
+    std::uint32_t mask(Layer layer) const
+    {
+        std::uint32_t mask = 0;
+        for (const FeatureCause& c : causes_)
+            if (c.layer == layer) mask |= c.bit;
+        return mask;
     }
-    const auto known = [&](int medium) { return medium == vacuum || std::any_of(containers.begin(), containers.end(), [&](const Container& c) { return c.medium == medium; }); };
-    const bool consistent = containers.empty() || (known(scene.camera.medium) && std::all_of(scene.emitters.begin(), scene.emitters.end(), [&](const Emitter& e) { return known(e.medium); }));
-    return consistent ? std::optional(containers) : std::nullopt;
-}
+    std::vector<FeatureCause> causes() && { return std::move(causes_); }
 
-bool has_null_boundary(const Scene& scene)
-{
-    return std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const Shape& s) { return s.medium_boundary && is_null(scene, s) && s.interior != s.exterior; });
-}
+private:
+    std::vector<FeatureCause> causes_;
+};
 
-/// True if some surface may block a connection between two points of the containers (of all space without containers).
-bool occluders_within(const Scene& scene, const std::vector<Container>& containers)
-{
-    return std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const Shape& shape) {
-        if (is_null(scene, shape)) return false;
-        if (containers.empty()) return true;
-        if (flat_and_outermost(scene, shape)) return false;
-        if (containers.size() > 1) return true;
-        return overlap(bounds_of(shape), bounds_of(scene.shapes[static_cast<std::size_t>(containers.front().shape)]), 1e-7);  // touching does not block
-    });
-}
+std::string title(const Medium& medium) { return "medium " + in_quotes(medium.name); }
+std::string title(const Shape& shape) { return "shape " + in_quotes(shape.name); }
 
-bool occluders_anywhere(const Scene& scene, const std::vector<Container>& containers)
+void note_media(const Scene& scene, FeatureNotes& notes)
 {
-    return std::any_of(scene.shapes.begin(), scene.shapes.end(),
-                       [&](const Shape& shape) { return !is_null(scene, shape) && (containers.empty() || !flat_and_outermost(scene, shape)); });
-}
-
-std::uint32_t medium_bits(const Scene& scene)
-{
-    std::uint32_t mask = scene.media.size() > 1 ? feature_bit::many_media : 0u;
     for (const Medium& m : scene.media) {
-        if (m.phase.type != PhaseFunction::Type::isotropic && m.phase.g != 0) mask |= feature_bit::anisotropic;
-        if (m.sigma_t.r != m.sigma_t.g || m.sigma_t.r != m.sigma_t.b) mask |= feature_bit::coloured;
+        if (m.phase.type != PhaseFunction::Type::isotropic && m.phase.g != 0)
+            notes.need(feature_bit::anisotropic, {fmt::format("{}: Henyey-Greenstein, g = {:g}", title(m), m.phase.g), m.where});
+        if (m.sigma_t.r != m.sigma_t.g || m.sigma_t.r != m.sigma_t.b)
+            notes.need(feature_bit::coloured, {title(m) + ": sigma_t differs between channels", m.where});
     }
-    return mask;
+    if (scene.media.size() > 1)
+        notes.need(feature_bit::many_media, {fmt::format("{} besides {}", title(scene.media[1]), title(scene.media[0])), scene.media[1].where});
+}
+
+void note_settings(bool short_lights, int max_depth, FeatureNotes& notes)
+{
+    if (short_lights) notes.need(feature_bit::short_lights, {"setting: short light segments", {}});
+    if (max_depth >= 0) notes.need(feature_bit::depth_limit, {fmt::format("setting: max_depth = {}", max_depth), {}});
+}
+
+/// The first null shape that tells two media apart.
+const Shape* first_null_boundary(const Scene& scene)
+{
+    const auto found = std::find_if(scene.shapes.begin(), scene.shapes.end(),
+                                    [&](const Shape& s) { return s.medium_boundary && is_null(scene, s) && s.interior != s.exterior; });
+    return found == scene.shapes.end() ? nullptr : &*found;
+}
+
+void note_boundaries(const Shape& boundary, const ContainerSearch& search, FeatureNotes& notes)
+{
+    const Cause crossing{title(boundary) + " bounds a medium", boundary.where};
+    notes.need(Layer::media_to_surface, feature_bit::boundaries, crossing);
+    if (!search.convex() || search.containers.size() > 1) notes.need(Layer::media_to_media, feature_bit::boundaries, crossing);
+    if (search.convex()) return;
+    notes.need(feature_bit::nonconvex_media, {search.obstacle, search.where});
+    notes.need(feature_bit::occluders, {search.obstacle + ", and the host's walk answers both questions", search.where});
+}
+
+/// May the shape block a connection between two points of the containers (of all space without containers)?
+bool occludes_within(const Scene& scene, const Shape& shape, const std::vector<Container>& containers)
+{
+    if (containers.empty()) return true;
+    if (flat_and_outermost(scene, shape)) return false;
+    if (containers.size() > 1) return true;
+    return boxes_overlap(bounds_of(shape), bounds_of(scene.shapes[static_cast<std::size_t>(containers.front().shape)]), 1e-7);  // touching does not block
+}
+
+void note_occluders(const Scene& scene, const std::vector<Container>& containers, FeatureNotes& notes)
+{
+    for (const Shape& shape : scene.shapes) {
+        if (is_null(scene, shape)) continue;
+        const Cause cause{title(shape) + " may stand in between", shape.where};
+        if (occludes_within(scene, shape, containers)) notes.need(Layer::media_to_media, feature_bit::occluders, cause);
+        if (containers.empty() || !flat_and_outermost(scene, shape)) notes.need(Layer::media_to_surface, feature_bit::occluders, cause);
+    }
+}
+
+/// The lines of the list for this scene.
+std::vector<Effect> effects_of(const Scene& scene, const std::vector<FeatureCause>& causes)
+{
+    std::vector<Effect> effects;
+    for (const EffectRow& row : effect_list()) {
+        if (row.bit == 0) continue;
+        const auto cause = std::find_if(causes.begin(), causes.end(), [&](const FeatureCause& c) { return c.bit == row.bit; });
+        effects.push_back(cause == causes.end() ? Effect{row} : Effect{row, true, cause->cause, cause->where});
+    }
+    for (const SceneFact& fact : scene_facts()) {
+        const auto cause = fact.cause_of(scene);
+        effects.push_back(cause ? Effect{fact.row, true, cause->sentence, cause->where} : Effect{fact.row});
+    }
+    return effects;
+}
+
+/// What is saved where a kernel feature is not needed.
+std::string_view saving_of(std::uint32_t bit)
+{
+    switch (bit) {
+        case feature_bit::anisotropic: return "phase functions: 1/(4 pi) is a constant";
+        case feature_bit::coloured: return "two of three transmittances";
+        case feature_bit::occluders: return "shadow segments: one kernel samples and adds";
+        case feature_bit::many_media: return "the look-up of a medium for every eye";
+        case feature_bit::boundaries: return "clipping connections at the boundaries of media";
+        case feature_bit::nonconvex_media: return "walking connections through boundaries on the host";
+        case feature_bit::short_lights: return "the survival probability of short lights";
+        case feature_bit::depth_limit: return "counting vertices";
+    }
+    return {};
 }
 
 }  // namespace
 
+std::vector<EffectRow> effect_list()
+{
+    std::vector<EffectRow> rows;
+    for (const SceneFeature& feature : scene_feature_list) rows.push_back({feature.name, feature.bit, feature.meaning, saving_of(feature.bit)});
+    for (const SceneFact& fact : scene_facts()) rows.push_back(fact.row);
+    return rows;
+}
+
 SceneFeatures features_of(const Scene& scene, bool short_lights, int max_depth)
 {
+    FeatureNotes notes;
+    note_media(scene, notes);
+    note_settings(short_lights, max_depth, notes);
     SceneFeatures f;
-    for (const Medium& m : scene.media) {
-        f.scattering_media |= glm::any(glm::greaterThan(m.sigma_s(), Rgb(0)));
-        f.absorbing_media |= glm::any(glm::greaterThan(m.sigma_t, Rgb(0)));
+    if (const Shape* boundary = first_null_boundary(scene)) {
+        ContainerSearch search = find_containers(scene);
+        note_boundaries(*boundary, search, notes);
+        f.containers = std::move(search.containers);
     }
-    for (const Shape& shape : scene.shapes) {
-        const Bsdf& front = scene.bsdfs[static_cast<std::size_t>(shape.bsdf)];
-        for (const Bsdf* bsdf : {&front, front.back == none ? &front : &scene.bsdfs[static_cast<std::size_t>(front.back)]}) {
-            f.receiving_surfaces |= bsdf->type == Bsdf::Type::diffuse && glm::any(glm::greaterThan(bsdf->reflectance, Rgb(0)));
-            f.specular_surfaces |= bsdf->type == Bsdf::Type::dielectric || bsdf->type == Bsdf::Type::conductor;
-        }
-    }
-    const bool boundaries = has_null_boundary(scene);
-    const auto containers = containers_of(scene);
-    if (boundaries && containers) f.containers = *containers;
-    std::uint32_t common = medium_bits(scene);
-    if (short_lights) common |= feature_bit::short_lights;
-    if (max_depth >= 0) common |= feature_bit::depth_limit;
-    f.media_to_media = f.media_to_surface = common;
-    if (boundaries && !containers) {
-        f.media_to_media |= feature_bit::boundaries | feature_bit::nonconvex_media;
-        f.media_to_surface |= feature_bit::boundaries | feature_bit::nonconvex_media;
-    } else if (boundaries) {
-        if (f.containers.size() > 1) f.media_to_media |= feature_bit::boundaries;
-        f.media_to_surface |= feature_bit::boundaries;
-    }
-    if (occluders_within(scene, f.containers)) f.media_to_media |= feature_bit::occluders;
-    if (occluders_anywhere(scene, f.containers)) f.media_to_surface |= feature_bit::occluders;
-    if (f.media_to_media & feature_bit::nonconvex_media) f.media_to_media |= feature_bit::occluders;      // the host's walk answers both questions
-    if (f.media_to_surface & feature_bit::nonconvex_media) f.media_to_surface |= feature_bit::occluders;
+    note_occluders(scene, f.containers, notes);
+    f.media_to_media = notes.mask(Layer::media_to_media), f.media_to_surface = notes.mask(Layer::media_to_surface);
+    f.causes = std::move(notes).causes();
+    f.effects = effects_of(scene, f.causes);
+    const auto found = [&](std::string_view name) { return std::any_of(f.effects.begin(), f.effects.end(), [&](const Effect& e) { return e.row.name == name && e.found; }); };
+    f.scattering_media = found("SCATTERING_MEDIA"), f.absorbing_media = found("MEDIA");
+    f.receiving_surfaces = found("RECEIVING_SURFACES"), f.specular_surfaces = found("SPECULAR_SURFACES");
     return f;
+}
+
+std::string feature_names(std::uint32_t mask)
+{
+    std::string names;
+    for (const SceneFeature& feature : scene_feature_list)
+        if (mask & feature.bit) names += (names.empty() ? "" : " ") + std::string(feature.name);
+    return names.empty() ? "none" : names;
 }
 
 }  // namespace tyndall

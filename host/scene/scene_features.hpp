@@ -1,23 +1,42 @@
 #pragma once
-/// What a scene calls for: which effects there are, and what connections between light and camera may meet. Pure functions of the scene.
+/// What a scene calls for: which effects there are and which element causes each, and what connections between light and camera may meet.
+/// Pure functions of the scene.
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "scene/containers.hpp"
 #include "scene/scene.hpp"
+#include "tyndall/layer.hpp"
 
 namespace tyndall {
 
-/// The half-space dot(normal, x) <= offset; normal has unit length and points outwards.
-struct HalfSpace {
-    Vec3 normal;
-    double offset;
+/// One line of the list of everything that a scene may call for.
+struct EffectRow {
+    std::string_view name;
+    std::uint32_t bit;         ///< of kernels/shared/scene_features.h; 0: a fact of the scene that decides what runs, not how kernels are built
+    std::string_view meaning;
+    std::string_view saving;   ///< what is not done where the scene does not have it
 };
 
-/// A convex polyhedron filled with a medium, vacuum outside.
-struct Container {
-    int medium, shape;
-    std::vector<HalfSpace> planes;
+/// The features of kernels/shared/scene_features.h and the facts of the scene, in the order of every report, table and document.
+std::vector<EffectRow> effect_list();
+
+/// What the scene says about one line of the list.
+struct Effect {
+    EffectRow row;
+    bool found = false;
+    std::string cause;     ///< a sentence, if found
+    SourceLocation where;  ///< of the element that causes it; line 0: no element, but a setting
+};
+
+/// Why a layer's kernels need a feature.
+struct FeatureCause {
+    std::uint32_t bit;     ///< one bit
+    Layer layer;           ///< media_to_media or media_to_surface
+    std::string cause;
+    SourceLocation where;
 };
 
 struct SceneFeatures {
@@ -27,10 +46,15 @@ struct SceneFeatures {
     bool specular_surfaces = false;   ///< mirrors or glass
     std::uint32_t media_to_media = 0, media_to_surface = 0;  ///< masks of kernels/shared/scene_features.h for the connections of the two layers
     std::vector<Container> containers;  ///< empty unless every null boundary is a convex polyhedron, disjoint from the others, in vacuum
+    std::vector<Effect> effects;        ///< one for every line of effect_list()
+    std::vector<FeatureCause> causes;   ///< one for every bit of the two masks
     std::uint32_t mask() const { return media_to_media | media_to_surface; }
 };
 
 /// `short_lights` and `max_depth` are settings that switch features on.
 SceneFeatures features_of(const Scene& scene, bool short_lights = false, int max_depth = -1);
+
+/// "ANISOTROPIC COLOURED", or "none".
+std::string feature_names(std::uint32_t mask);
 
 }  // namespace tyndall

@@ -1,0 +1,112 @@
+#include "scene/scene_effects.hpp"
+
+#include <fmt/format.h>
+
+#include "scene/scene_warnings.hpp"
+#include "scene/text.hpp"
+
+namespace tyndall {
+namespace {
+
+using Found = std::optional<Cause>;
+
+bool any_above(const Rgb& value, double low) { return glm::any(glm::greaterThan(value, Rgb(low))); }
+
+/// The first element of `list` for which `holds`, said by `sentence`.
+template <class Element, class Holds, class Sentence>
+Found first_of(const std::vector<Element>& list, Holds&& holds, Sentence&& sentence)
+{
+    for (const Element& element : list)
+        if (holds(element)) return Cause{sentence(element), element.where};
+    return std::nullopt;
+}
+
+std::string named(const char* kind, const std::string& name, const std::string& rest) { return fmt::format("{} {}{}", kind, in_quotes(name), rest); }
+
+Found lights(const Scene& scene)
+{
+    return first_of(scene.emitters, [](const Emitter& e) { return any_above(e.value, 0); }, [](const Emitter& e) { return named("emitter", e.name, ""); });
+}
+
+Found media(const Scene& scene)
+{
+    return first_of(scene.media, [](const Medium& m) { return any_above(m.sigma_t, 0); }, [](const Medium& m) { return named("medium", m.name, ""); });
+}
+
+Found scattering_media(const Scene& scene)
+{
+    return first_of(scene.media, [](const Medium& m) { return any_above(m.sigma_s(), 0); },
+                    [](const Medium& m) { return named("medium", m.name, ": albedo above 0"); });
+}
+
+Found only_absorbing_media(const Scene& scene)
+{
+    return first_of(scene.media, [](const Medium& m) { return any_above(m.sigma_t, 0) && !any_above(m.sigma_s(), 0); },
+                    [](const Medium& m) { return named("medium", m.name, ": albedo 0"); });
+}
+
+/// The medium far away from everything, found by crossing every boundary between the camera and there.
+Found unbounded_media(const Scene& scene)
+{
+    const Vec3 camera(scene.camera.to_world[3]), far_away = glm::normalize(Vec3(.5377, .6121, .5801)) * 4.;  // along no likely edge; render space has radius 1
+    const int medium = medium_at(scene, camera, scene.camera.medium, far_away);
+    if (medium == vacuum) return std::nullopt;
+    const Medium& m = scene.media[static_cast<std::size_t>(medium)];
+    return Cause{named("medium", m.name, ": no boundary ends it, so it fills all space"), m.where};
+}
+
+Found convex_containers(const Scene& scene)
+{
+    const ContainerSearch search = find_containers(scene);
+    if (search.containers.empty()) return std::nullopt;
+    const Shape& shape = scene.shapes[static_cast<std::size_t>(search.containers.front().shape)];
+    return Cause{named("shape", shape.name, fmt::format(": closed, convex, {} sides", search.containers.front().planes.size())), shape.where};
+}
+
+Found lights_in_media(const Scene& scene)
+{
+    return first_of(scene.emitters, [](const Emitter& e) { return e.medium != vacuum; },
+                    [&](const Emitter& e) { return named("emitter", e.name, " stands in medium " + in_quotes(scene.media[static_cast<std::size_t>(e.medium)].name)); });
+}
+
+/// The first shape with a Bsdf, on its front or back, for which `holds`.
+template <class Holds>
+Found first_surface(const Scene& scene, Holds&& holds)
+{
+    for (const Shape& shape : scene.shapes) {
+        const Bsdf& front = scene.bsdfs[static_cast<std::size_t>(shape.bsdf)];
+        const Bsdf& back = front.back == none ? front : scene.bsdfs[static_cast<std::size_t>(front.back)];
+        if (holds(front) || holds(back)) return Cause{named("shape", shape.name, ""), shape.where};
+    }
+    return std::nullopt;
+}
+
+Found receiving_surfaces(const Scene& scene)
+{
+    return first_surface(scene, [](const Bsdf& b) { return b.type == Bsdf::Type::diffuse && any_above(b.reflectance, 0); });
+}
+
+Found specular_surfaces(const Scene& scene)
+{
+    return first_surface(scene, [](const Bsdf& b) { return b.type == Bsdf::Type::dielectric || b.type == Bsdf::Type::conductor; });
+}
+
+}  // namespace
+
+const std::vector<SceneFact>& scene_facts()
+{
+    static const std::vector<SceneFact> facts{
+        {{"LIGHTS", 0, "something gives light", "every layer: the image is black"}, lights},
+        {{"MEDIA", 0, "a medium has extinction", "transmittance, virtual lights, eye segments, kernels, the OpenCL device"}, media},
+        {{"SCATTERING_MEDIA", 0, "a medium scatters", "virtual lights, eye segments, kernels; media only dim what is behind them"}, scattering_media},
+        {{"ONLY_ABSORBING_MEDIA", 0, "a medium absorbs and does not scatter", ""}, only_absorbing_media},
+        {{"UNBOUNDED_MEDIA", 0, "a medium has no boundary", ""}, unbounded_media},
+        {{"CONVEX_CONTAINERS", 0, "media fill disjoint convex polyhedra", ""}, convex_containers},
+        {{"LIGHTS_IN_MEDIA", 0, "a light stands inside a medium", ""}, lights_in_media},
+        {{"RECEIVING_SURFACES", 0, "a surface reflects diffusely", "eye points, media_to_surface and its kernels, light between surfaces"}, receiving_surfaces},
+        {{"SPECULAR_SURFACES", 0, "there are mirrors or glass", "the layers of light through mirrors and glass"}, specular_surfaces},
+    };
+    return facts;
+}
+
+}  // namespace tyndall
