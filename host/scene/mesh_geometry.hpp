@@ -20,6 +20,8 @@ std::vector<std::uint32_t> welded_vertices(const Mesh& mesh);
 bool is_closed(const Mesh& mesh);
 
 /// For a closed mesh: every vertex lies behind the plane of every triangle, within `convexity_tolerance` times the mesh's size.
+/// Meshes too large for that comparison (1e8 pairs) are judged edge by edge, each against its own length, and err on the side of "not convex":
+/// a ball of a million triangles rounded to float is not convex by that measure.
 bool is_convex(const Mesh& mesh);
 
 /// Vertices of convex meshes come out of files as floats: 1e-6 of the mesh's diagonal covers their rounding.
