@@ -8,7 +8,10 @@
 /// Weight of the connection that the two samples make: E Theta, at most pi E; E D_floor R where the floor on D is active. No unit. Always finite.
 PURE real pair_weight(RodSample rod, AngleSample angle)
 {
-    return rod.potential * select(angle.angle, rod.distance * angle.angle_over_distance, rod.floor_ratio > R(1.0));
+    mask floored = rod.floor_ratio > R(1.0);
+    real weight = rod.potential * angle.angle;
+    if (any_lane(floored)) weight = select(weight, rod.potential * (rod.distance * angle.angle_over_distance), floored);
+    return weight;
 }
 
 #endif

@@ -5,7 +5,7 @@
 #include "kernels/math/stable.h"
 
 /// exp(-optical_depth), optical_depth >= 0. Where it would be below the smallest normal number it is 0 on devices that flush.
-PURE real transmittance(real optical_depth) { return exp(-optical_depth); }
+PURE real transmittance(real optical_depth) { return decay(optical_depth); }
 
 /// exp(reference - optical_depth): a ratio of transmittances both of which may underflow (eq. 19).
 PURE real transmittance_ratio(real optical_depth, real reference) { return exp(reference - optical_depth); }
