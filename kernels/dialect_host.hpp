@@ -35,6 +35,7 @@ namespace tyndall::maths_float {
 #undef EQUIANGULAR_H
 #undef PAIR_WEIGHT_H
 #undef PHASE_FUNCTION_H
+#undef PHASE_PRODUCT_H
 #undef TRANSMITTANCE_H
 #undef SURFACE_ROD_H
 #undef LINEAR_PIECE_H

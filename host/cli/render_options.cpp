@@ -1,5 +1,6 @@
 #include "cli/render_options.hpp"
 
+#include <array>
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <functional>
@@ -50,6 +51,11 @@ void add_transport(CLI::App& app, RenderSettings& settings, LayerSet& layers)
     add(app, "--light-segments", "WHICH", "all, or first: only those that leave the emitter (all)", [&](const auto& text) {
         settings.light_segments = parse_choice("--light-segments", text, {"all", "first"}) == 0 ? LightSegments::all : LightSegments::first;
     });
+    add(app, "--sampler", "NAME", "of connections: auto, paper-isotropic (by angle), or paper (by the product of the phase functions)", [&](const auto& text) {
+        constexpr std::array samplers{Sampler::automatic, Sampler::paper_isotropic, Sampler::paper};
+        settings.sampler = samplers[parse_choice("--sampler", text, {"auto", "paper-isotropic", "paper"})];
+    });
+    add(app, "--samples", "N", "samples of every pair of light and eye per pass (1)", [&](const auto& text) { settings.samples_per_pair = integer("--samples", text, 1, 256); });
     auto* longer = app.add_flag_callback(
         "--long", [&] { settings.segment_length = SegmentLength::long_; }, "virtual ray lights reach the next surface (default)");
     app.add_flag_callback(

@@ -34,7 +34,15 @@ Device::Device(Device&&) noexcept = default;
 
 const DeviceInfo& Device::info() const { return state_->info; }
 
-cl::Program build_program(DeviceState& state, const std::string& text, const std::string& options)
+std::uint64_t Device::programs_built() const
+{
+    const std::lock_guard lock(state_->guard);
+    return state_->builds;
+}
+
+namespace {
+
+cl::Program compiled(DeviceState& state, const std::string& text, const std::string& options)
 {
     cl::Program program = on_device(state, "creating a program", [&] { return cl::Program(state.context, text); });
     try {
@@ -49,6 +57,21 @@ cl::Program build_program(DeviceState& state, const std::string& text, const std
                          "\":\n" + log);
     }
     return program;
+}
+
+}  // namespace
+
+cl::Program build_program(DeviceState& state, const std::string& text, const std::string& options)
+{
+    const std::string key = options + "\n" + text;
+    {
+        const std::lock_guard lock(state.guard);
+        if (const auto known = state.programs.find(key); known != state.programs.end()) return known->second;
+    }
+    const cl::Program program = compiled(state, text, options);
+    const std::lock_guard lock(state.guard);
+    ++state.builds;
+    return state.programs.emplace(key, program).first->second;
 }
 
 cl::Buffer& GrowingBuffer::reserve(DeviceState& state, std::size_t bytes)

@@ -18,6 +18,8 @@ public:
     Device(Device&&) noexcept;
 
     const DeviceInfo& info() const;
+    /// Programs built so far in this process for this device.
+    std::uint64_t programs_built() const;
     DeviceState& state() { return *state_; }
 
 private:

@@ -1,6 +1,7 @@
 #pragma once
 /// The OpenCL side of Device and the helpers that stages share; only files below host/device include this.
 #include <map>
+#include <mutex>
 #include <span>
 #include <string>
 #include <utility>
@@ -17,6 +18,9 @@ struct DeviceState {
     cl::Context context;
     cl::CommandQueue queue;  ///< in order, with time stamps where the device has them
     bool time_stamps = true;
+    std::mutex guard;                             ///< of `programs`
+    std::uint64_t builds = 0;                     ///< programs compiled, or taken from the driver's cache
+    std::map<std::string, cl::Program> programs;  ///< built in this process, by options and text
 };
 
 /// Runs `call`; an OpenCL error becomes a DeviceError that says what was being done, on which device, and what to try.
@@ -31,7 +35,7 @@ auto on_device(const DeviceState& state, const char* doing, Call&& call)
     }
 }
 
-/// Compiles a flattened kernel. Throws BuildError with device, options and the compiler's log.
+/// Compiles a flattened kernel, once for each text and options. May be called from several threads. Throws BuildError with device, options and the compiler's log.
 cl::Program build_program(DeviceState& state, const std::string& text, const std::string& options);
 
 /// A device buffer of bytes that grows and never shrinks.

@@ -47,13 +47,15 @@ struct PairStage::State {
     std::size_t packet_count(const PairTile& tile) const { return std::size_t(tile.groups) * lanes() / SHADOW_PACKET_SIZE * pairs_in(tile); }
     std::size_t contribution_count(const PairTile& tile) const { return std::size_t(tile.groups) * lanes() * pairs_in(tile) * 3; }
 
-    cl::Kernel build(const char* name)
+    void build(const KernelBuild& wanted)
     {
-        const std::string eye = program.eyes == EyeKind::segments ? "eye_segments" : "eye_points";
-        const std::string text = flattened_kernel(std::string("kernels/stages/") + name + ".cl",
-                                                  {{"LIGHT", "kernels/lights/" + program.light + ".h"}, {"EYE", "kernels/stages/" + eye + ".h"}});
-        const cl::Program built = build_program(device, text, build_options(program));
-        return on_device(device, "creating a kernel", [&] { return cl::Kernel(built, name); });
+        const bool shared = wanted.name == "accumulate_pairs";  // asks neither eyes nor lights: one program serves all
+        const std::string eye = program.eyes == EyeKind::segments || shared ? "eye_segments" : "eye_points", light = shared ? PairProgram{}.light : program.light;
+        const std::string text = flattened_kernel("kernels/stages/" + wanted.name + ".cl",
+                                                  {{"LIGHT", "kernels/lights/" + light + ".h"}, {"EYE", "kernels/stages/" + eye + ".h"}});
+        const cl::Program built = build_program(device, text, wanted.options);
+        cl::Kernel& kernel = wanted.name == "gather_lights" ? gather : shared ? accumulate : sample;
+        kernel = on_device(device, "creating a kernel", [&] { return cl::Kernel(built, wanted.name.c_str()); });
     }
 
     /// The arguments that gather and sample share; returns the next index.
@@ -69,7 +71,7 @@ struct PairStage::State {
 
     void launch(Timed what, cl::Kernel& kernel, std::uint32_t groups)
     {
-        const std::uint32_t local = groups >= 256 ? 8 : 1;
+        const std::uint32_t local = what == Timed::gather || groups >= 256 ? 8 : 1;  // some drivers compile a kernel again for every local size
         cl::Event event;
         device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(work_items(groups, local)), cl::NDRange(local), nullptr, &event);
         ++timings.launches;
@@ -89,17 +91,18 @@ struct PairStage::State {
 
 std::string build_options(const PairProgram& program)
 {
-    return "-cl-std=CL1.2 -DLANES=" + std::to_string(program.lanes) + " -DFEATURES=" + std::to_string(program.features) + "u";
+    return "-cl-std=CL1.2 -DLANES=" + std::to_string(program.lanes) + " -DFEATURES=" + std::to_string(program.features) + "u -DSAMPLER=" + std::to_string(program.sampler);
+}
+
+std::vector<KernelBuild> kernel_builds(const PairProgram& program)
+{
+    if (!(program.features & feature_bit::occluders)) return {{"gather_lights", build_options(program), program.features}};
+    return {{"sample_pairs", build_options(program), program.features}, {"accumulate_pairs", build_options({.lanes = program.lanes}), 0}};
 }
 
 PairStage::PairStage(Device& device, const PairProgram& program, const MediaTables& tables) : state_(std::make_unique<State>(State{device.state(), program}))
 {
-    if (state_->occluders()) {
-        state_->sample = state_->build("sample_pairs");
-        state_->accumulate = state_->build("accumulate_pairs");
-    } else {
-        state_->gather = state_->build("gather_lights");
-    }
+    for (const KernelBuild& wanted : kernel_builds(program)) state_->build(wanted);
     state_->media.upload(state_->device, bytes_of(tables.media));
     state_->containers.upload(state_->device, bytes_of(tables.containers));
     state_->planes.upload(state_->device, bytes_of(tables.planes));

@@ -24,6 +24,7 @@ struct PairProgram {
     EyeKind eyes = EyeKind::segments;
     std::uint32_t features = 0;               ///< mask of kernels/shared/scene_features.h
     int lanes = 16;
+    int sampler = 0;                          ///< kernels/shared/samplers.h
     std::uint32_t samples = 1;                ///< per pair; contributions are their sum
 };
 
@@ -56,6 +57,16 @@ struct PairTimings {
 
 /// "-cl-std=CL1.2 -DLANES=16 ...": the build options of a program; part of the report.
 std::string build_options(const PairProgram& program);
+
+/// One kernel that a program needs, each built alone.
+struct KernelBuild {
+    std::string name;            ///< of the kernel and of its file in kernels/stages
+    std::string options;
+    std::uint32_t features = 0;
+};
+
+/// gather_lights if nothing can occlude; otherwise sample_pairs, and accumulate_pairs, which is the same program for every eye, light and feature.
+std::vector<KernelBuild> kernel_builds(const PairProgram& program);
 
 class PairStage {
 public:

@@ -8,6 +8,10 @@
 
 namespace tyndall {
 
+/// At its first vertex a path is connected to every emitter of a scene that has no more than so many, later to one chosen at random: direct light is most
+/// of the noise of the first.
+inline constexpr std::size_t most_emitters_at_once = 4;
+
 struct PathTracingSettings {
     std::uint64_t seed = 1, pass = 0;
     int max_depth = -1;  ///< at most max_depth - 1 scattering vertices; -1: no limit

@@ -106,13 +106,24 @@ private:
         return length;
     }
 
+    /// Light of all emitters, or of one chosen at random where there are many.
     Rgb scatter(const Stretch& stretch)
     {
-        const EmitterChoice choice = shared_.emitters.choose(random_.next());
-        const Emitter& emitter = scene_.emitters[choice.emitter];
-        const bool outside = emitter.type == Emitter::Type::directional || emitter.type == Emitter::Type::constant;
-        const Rgb lit = outside ? light_from_outside(stretch, choice.emitter) : light_from_point(stretch, choice.emitter);
-        return lit / choice.probability;
+        if (scene_.emitters.size() > most_emitters_at_once) {
+            const EmitterChoice choice = shared_.emitters.choose(random_.next());
+            return light_from(stretch, choice.emitter) / choice.probability;
+        }
+        Rgb lit(0);
+        for (std::size_t e = 0; e < scene_.emitters.size(); ++e)
+            if (shared_.emitters.probability(static_cast<int>(e)) > 0) lit += light_from(stretch, static_cast<int>(e));
+        return lit;
+    }
+
+    Rgb light_from(const Stretch& stretch, int emitter)
+    {
+        const Emitter::Type type = scene_.emitters[emitter].type;
+        const bool outside = type == Emitter::Type::directional || type == Emitter::Type::constant;
+        return outside ? light_from_outside(stretch, emitter) : light_from_point(stretch, emitter);
     }
 
     static ExponentialMixture mixture_of(const Stretch& stretch)

@@ -18,8 +18,8 @@ namespace {
 using Vertex = LayerTrack::Vertex;
 
 constexpr int roulette_vertices = 8;  ///< scattering vertices before Russian roulette begins
-constexpr double most_survival =
-    .995;  ///< also where nothing is absorbed, so that every path ends; high, because each step below 1 costs variance there
+/// Also where nothing is absorbed, so that every path ends; high, because each step below 1 costs variance there.
+constexpr double most_survival = .995;
 
 double largest(const Rgb& c) { return std::max({c.x, c.y, c.z}); }
 
@@ -91,11 +91,21 @@ private:
     void add_connection(const Scatter& scatter)
     {
         if (shared_.emitters.empty() || !wants(track_.of_light())) return;
-        const EmitterChoice choice = shared_.emitters.choose(random_.next());
+        if (vertices_ > 1 || scene_.emitters.size() > most_emitters_at_once) return add_connection(scatter, shared_.emitters.choose(random_.next()), true);
+        for (std::size_t e = 0; e < scene_.emitters.size(); ++e) {
+            const int emitter = static_cast<int>(e);
+            if (shared_.emitters.probability(emitter) > 0) add_connection(scatter, {emitter, shared_.emitters.probability(emitter)}, false);
+        }
+    }
+
+    /// A connection to one emitter, chosen at random or one of all. The share that multiple importance sampling leaves to it is the same in both cases.
+    template <class Scatter>
+    void add_connection(const Scatter& scatter, const EmitterChoice& choice, bool at_random)
+    {
         const DirectSample light = sample_direct(shared_.emitters, choice.emitter, ray_.origin, random_.next2());
         if (!(largest(light.weight) > 0)) return;
         const auto [value, pdf] = scatter(light.direction);
-        const Rgb radiance = throughput_ * value * light.weight / choice.probability;
+        const Rgb radiance = throughput_ * value * light.weight / (at_random ? choice.probability : 1);
         if (!(largest(radiance) > 0)) return;
         const double share = light.delta ? 1 : mis_weight(light.pdf * choice.probability, pdf);
         add(track_.of_light(), radiance * share * transmittance_to(shared_.visibility, scene_, ray_.origin, medium_, light));

@@ -2,18 +2,19 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 
-#include "kernels/shared/host_features.hpp"
 #include "path_tracing/path_tracing.hpp"
 #include "path_tracing/single_scattering.hpp"
+#include "pipeline/explain.hpp"
 #include "pipeline/light_budget.hpp"
 #include "pipeline/media_tables.hpp"
+#include "pipeline/memory_estimate.hpp"
+#include "pipeline/savings.hpp"
 #include "tyndall/error.hpp"
 
 namespace tyndall {
 namespace {
-
-constexpr std::size_t eye_chunk = 1u << 19;  ///< eyes on the device at a time: 32 MiB of records
 
 bool needs_device(const LayerPlan& plan) { return plan.virtual_lights(); }
 
@@ -67,6 +68,7 @@ PassRenderer::PassRenderer(const Scene& scene, const RenderSettings& settings)
       max_depth_(settings.max_depth.value_or(scene.max_depth)),
       features_(features_of(scene, settings.segment_length == SegmentLength::short_, max_depth_)),
       plan_(plan_layers(scene, features_, settings)),
+      masks_(build_masks(features_, plan_, settings.features)),
       visibility_(scene, settings.threads),
       technique_(light_technique("virtual_ray_light"))
 {
@@ -76,23 +78,27 @@ PassRenderer::PassRenderer(const Scene& scene, const RenderSettings& settings)
 void PassRenderer::prepare_lights()
 {
     device_.emplace(settings_.device);
-    if (plan_.media_to_media) to_segments_ = make_connector(EyeKind::segments, features_.media_to_media);
-    if (plan_.media_to_surface) to_points_ = make_connector(EyeKind::points, features_.media_to_surface);
+    const auto start = std::chrono::steady_clock::now();
+    const auto build = [&](bool wanted, EyeKind kind) { return wanted ? make_connector(kind) : nullptr; };
+    auto to_points = std::async(std::launch::async, build, plan_.media_to_surface, EyeKind::points);
+    auto to_segments = std::async(std::launch::async, build, plan_.media_to_media, EyeKind::segments);
     const std::uint32_t lights = settings_.lights ? settings_.lights : default_lights(scene_.camera, settings_.seconds);
     light_paths_ = clock_.time("pilot", [&] {
         return paths_for(scene_, visibility_, technique_,
                          {.seed = settings_.seed, .max_depth = max_depth_, .light_segments = settings_.light_segments, .segment_length = settings_.segment_length}, lights);
     });
+    to_points_ = to_points.get(), to_segments_ = to_segments.get();
+    clock_.add("build_kernels", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), device_->programs_built());
 }
 
-std::unique_ptr<PassRenderer::Connector> PassRenderer::make_connector(EyeKind kind, std::uint32_t features)
+std::unique_ptr<PassRenderer::Connector> PassRenderer::make_connector(EyeKind kind)
 {
     const int lanes = lanes_of(settings_, *device_);
-    const std::uint32_t samples = static_cast<std::uint32_t>(settings_.samples_per_pair);
-    const PairProgram program{.light = std::string(technique_.name), .eyes = kind, .features = features, .lanes = lanes, .samples = samples};
+    PairProgram program = pair_program(scene_, settings_, kind, masks_, lanes);
+    program.light = std::string(technique_.name);
     const std::uint32_t limit = max_depth_ < 0 ? 0xffffffffu : static_cast<std::uint32_t>(std::max(max_depth_ - 1, 0));
-    const ConnectSettings connect{.features = features, .samples = samples, .vertex_limit = limit, .tile_pairs = settings_.tile_pairs, .lanes = lanes};
-    return clock_.time("build_kernels", [&] { return std::make_unique<Connector>(PairStage(*device_, program, media_tables(scene_, features_)), connect); });
+    const ConnectSettings connect{.features = program.features, .samples = program.samples, .vertex_limit = limit, .tile_pairs = settings_.tile_pairs, .lanes = lanes};
+    return std::make_unique<Connector>(PairStage(*device_, program, media_tables(scene_, features_)), connect);
 }
 
 void PassRenderer::connect(Connector& connector, const EyeRecords& eyes, EyeKind kind, const VirtualLights& lights, std::vector<Rgb>& image)
@@ -141,6 +147,15 @@ PassResult PassRenderer::render(std::uint64_t pass)
     return result;
 }
 
+void PassRenderer::add_savings(Report& report) const
+{
+    const double passes = std::max(report.passes, 1), lights = static_cast<double>(virtual_lights_) / passes, samples = settings_.samples_per_pair;
+    const PairCounts pairs{.to_segments = static_cast<double>(eye_segments_) * lights * samples, .to_points = static_cast<double>(eye_points_) * lights * samples,
+                           .pixels = double(scene_.camera.crop_width) * scene_.camera.crop_height * passes,
+                           .lights_per_pass = settings_.method == Method::vrl ? settings_.lights ? settings_.lights : default_lights(scene_.camera, settings_.seconds) : 0.};
+    report.savings = savings_of(features_, plan_, masks_, pairs);
+}
+
 void PassRenderer::fill(Report& report) const
 {
     report.layers = plan_.reports;
@@ -151,10 +166,10 @@ void PassRenderer::fill(Report& report) const
     report.stages = clock_.stages();
     report.ledger.runaway_walks = visibility_.runaway_walks();
     report.ledger.unsafe_shadow_segments = visibility_.invalid_rays();
-    for (const SceneFeature& feature : scene_feature_list) report.effects.emplace_back(feature.name, (features_.mask() & feature.bit) != 0);
-    report.effects.emplace_back("SCATTERING_MEDIA", features_.scattering_media), report.effects.emplace_back("RECEIVING_SURFACES", features_.receiving_surfaces);
-    report.effects.emplace_back("SPECULAR_SURFACES", features_.specular_surfaces);
+    report.effects = effect_reports(features_);
+    add_savings(report);
     if (!device_) return;
+    report.programs = device_->programs_built();
     report.device = device_->info().platform + ": " + device_->info().name, report.driver = device_->info().driver;
     for (const auto* connector : {to_segments_.get(), to_points_.get()}) {
         if (!connector) continue;

@@ -82,8 +82,11 @@ PURE Connection connect_segment(EyeSegmentLanes eye, MediumLanes eye_medium, Vir
     real3 q = sub3(start, eye.origin);
     RodSample rod = sample_rod(q, eye.direction, b, (real)light.length, xi.first);
     real3 p = along3(q, rod.v, b);
-    AngleSample angle = sample_equiangular(p, eye.direction, eye.length, xi.second);
-    real weight = pair_weight(rod, angle);
+    PhaseWarp warp = {xi.second, R(1.0)};
+    if (ANISOTROPIC && SAMPLER == SAMPLER_PAPER)
+        warp = sample_phase_product(p, eye.direction, eye.length, b, eye_medium.g, (real)medium.g, xi.second);
+    AngleSample angle = sample_equiangular(p, eye.direction, eye.length, warp.x);
+    real weight = pair_weight(rod, angle) / warp.density;
 
     real3 d = along3(p, -angle.u, eye.direction);                 // from the eye segment to the light
     Connection c;

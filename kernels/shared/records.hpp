@@ -12,6 +12,7 @@ using uint = std::uint32_t;
 #include "kernels/shared/eye_point.h"
 #include "kernels/shared/eye_segment.h"
 #include "kernels/shared/medium.h"
+#include "kernels/shared/samplers.h"
 #include "kernels/shared/scene_features.h"
 #include "kernels/shared/shadow_packet.h"
 #pragma pop_macro("LAYOUT")

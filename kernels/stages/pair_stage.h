@@ -4,6 +4,7 @@
 #include "kernels/math/maths.h"
 #include "kernels/math/clip.h"
 #include "kernels/math/long_sum.h"
+#include "kernels/shared/samplers.h"
 #include "kernels/shared/scene_features.h"
 #include "kernels/shared/medium.h"
 #include "kernels/shared/container.h"

@@ -15,6 +15,13 @@ enum class Method {
 enum class LightSegments { all, first };  ///< first: only what leaves the emitter, before any scattering
 enum class SegmentLength { long_, short_ };  ///< a VRL ends at the next surface, or at its sampled collision
 
+/// How a virtual ray light and an eye segment are connected [Novak et al. 2012].
+enum class Sampler {
+    automatic,        ///< the one that wins at equal time for the scene's phase functions (host/docs/performance.md)
+    paper_isotropic,  ///< rod-potential marginal, equi-angular conditional
+    paper,            ///< rod-potential marginal, conditional in proportion to the product of the phase functions
+};
+
 struct Crop {
     int x = 0, y = 0, width = 0, height = 0;
 };
@@ -30,6 +37,8 @@ struct RenderSettings {
     std::optional<int> max_depth;      ///< instead of the scene's; -1 no limit; D keeps paths with at most D - 1 scattering vertices
     LightSegments light_segments = LightSegments::all;
     SegmentLength segment_length = SegmentLength::long_;
+    Sampler sampler = Sampler::automatic;
+    std::optional<std::uint32_t> features;  ///< mask of kernels/shared/scene_features.h for all kernels; none: what the scene calls for
     std::string device;                ///< index, substring of the name, or platform:device; empty: the default device
     int lanes = 0;                     ///< 1, 4, 8, 16; 0: chosen by fixed rule from the device
     std::uint32_t tile_pairs = 0;      ///< pairs per tile; 0: default. Never changes a byte

@@ -1,0 +1,11 @@
+#pragma once
+/// Which sampler of kernels/shared/samplers.h a render uses.
+#include "scene/scene.hpp"
+#include "tyndall/settings.hpp"
+
+namespace tyndall {
+
+/// The settings' own, or by rule: the product of phase functions where a medium scatters so unevenly that it wins at equal time (host/docs/performance.md).
+int choose_sampler(const Scene& scene, Sampler wanted);
+
+}  // namespace tyndall
