@@ -83,8 +83,9 @@ PURE Connection connect_segment(EyeSegmentLanes eye, MediumLanes eye_medium, Vir
     RodSample rod = sample_rod(q, eye.direction, b, (real)light.length, xi.first);
     real3 p = along3(q, rod.v, b);
     PhaseWarp warp = {xi.second, R(1.0)};
-    if (ANISOTROPIC && SAMPLER == SAMPLER_PAPER)
-        warp = sample_phase_product(p, eye.direction, eye.length, b, eye_medium.g, (real)medium.g, xi.second);
+    if (ANISOTROPIC) {
+        if (SAMPLER == SAMPLER_PAPER) warp = sample_phase_product(p, eye.direction, eye.length, b, eye_medium.g, (real)medium.g, xi.second);
+    }
     AngleSample angle = sample_equiangular(p, eye.direction, eye.length, warp.x);
     real weight = pair_weight(rod, angle) / warp.density;
 
