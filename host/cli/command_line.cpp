@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/exit_code.hpp"
+#include "cli/explain_command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/list_commands.hpp"
 #include "cli/render_command.hpp"
@@ -18,14 +19,16 @@ namespace {
 /// Everything that can be asked for.
 struct Request {
     RenderCommand render;
+    ExplainCommand explain;
     InfoCommand info;
-    bool devices_as_json = false;
+    DevicesCommand devices;
 };
 
 constexpr const char* examples = R"(Examples:
   tyndall render scene.xml                       16 passes into scene.exr, .png, .json
   tyndall render scene.xml -o fog.exr --time 2m  what two minutes allow
   tyndall render scene.xml --method path         the same image by path tracing
+  tyndall explain scene.xml                      what would be simulated, why, and how long it takes
   tyndall info scene.xml                         what the file says
   tyndall devices                                where it can run
 )";
@@ -56,11 +59,13 @@ void declare(CLI::App& app, Request& request)
     app.require_subcommand(1);
     auto* render = app.add_subcommand("render", "Renders a scene: EXR with layers, PNG, report");
     add_render_options(*render, request.render);
+    auto* explain = app.add_subcommand("explain", "Says what `render` with the same options would simulate, what not and why, with memory and time");
+    add_explain_options(*explain, request.explain);
     auto* info = app.add_subcommand("info", "Prints what was read from a scene");
     info->add_option("scene", request.info.scene, "scene file, Mitsuba 3 XML")->required()->type_name("SCENE.XML");
     info->add_flag("--json", request.info.json, "as JSON");
     add_load_options(*info, request.info.load);
-    app.add_subcommand("devices", "Lists the OpenCL devices")->add_flag("--json", request.devices_as_json, "as JSON");
+    add_devices_options(*app.add_subcommand("devices", "Lists the OpenCL devices"), request.devices);
 }
 
 std::vector<std::string> option_names(const CLI::App& app)
@@ -115,8 +120,9 @@ int run(int argc, char** argv)
         return end_of_parsing(app, error, argc, argv);
     }
     if (app.got_subcommand("render")) return run_render(request.render);
+    if (app.got_subcommand("explain")) return run_explain(request.explain);
     if (app.got_subcommand("info")) return run_info(request.info);
-    return run_devices(request.devices_as_json);
+    return run_devices(request.devices);
 }
 
 /// Data that did not reach standard output is a failure too.

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "cli/exit_code.hpp"
 #include "cli/scene_json.hpp"
 #include "device/device_list.hpp"
+#include "device/prebuild.hpp"
 #include "report/readable.hpp"
 #include "scene/describe.hpp"
 
@@ -46,6 +48,16 @@ void print_device(const DeviceInfo& device)
     if (!device.usable) fmt::print("     not usable: {}\n", terminal_safe(device.why_not));
 }
 
+int prebuild_everyday(const std::string& request)
+{
+    Device device(request);
+    const auto start = std::chrono::steady_clock::now();
+    for (const PairProgram& program : everyday_programs(device.info().default_lanes)) prebuild(device, program);
+    fmt::print("{} programs for {}: {} are ready in the driver's cache after {}\n", device.programs_built(), terminal_safe(device.info().platform),
+               terminal_safe(device.info().name), readable_seconds(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()));
+    return static_cast<int>(ExitCode::ok);
+}
+
 }  // namespace
 
 int run_info(const InfoCommand& command)
@@ -56,14 +68,15 @@ int run_info(const InfoCommand& command)
     return static_cast<int>(ExitCode::ok);
 }
 
-int run_devices(bool json)
+int run_devices(const DevicesCommand& command)
 {
+    if (command.prebuild) return prebuild_everyday(command.device);
     const auto devices = list_devices();
     Json list = Json::array();
-    for (const auto& device : devices) json ? list.push_back(json_of(device)) : print_device(device);
-    if (json)
+    for (const auto& device : devices) command.json ? list.push_back(json_of(device)) : print_device(device);
+    if (command.json)
         fmt::print("{}\n", Json{{"schema", "tyndall-devices/1"}, {"devices", list}}.dump(2, ' ', false, Json::error_handler_t::replace));
-    choose_device("");  // none usable: says what was tried
+    choose_device(command.device);  // none usable: says what was tried
     return static_cast<int>(ExitCode::ok);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 /// `tyndall info` and `tyndall devices`. Both return the exit code.
 #include <filesystem>
+#include <string>
 
 #include "scene/load_scene.hpp"
 
@@ -15,7 +16,14 @@ struct InfoCommand {
 /// Prints what was read from a scene file to standard output; its warnings to stderr. Throws SceneError.
 int run_info(const InfoCommand& command);
 
-/// Prints every OpenCL device to standard output. Throws NoDeviceError if none is usable.
-int run_devices(bool json);
+struct DevicesCommand {
+    bool json = false;
+    bool prebuild = false;  ///< build the kernels of everyday scenes on `device`
+    std::string device;
+};
+
+/// Prints every OpenCL device to standard output. Throws NoDeviceError if none is usable. With `prebuild` it builds kernels instead, so that the driver's cache
+/// has them, and says how many and how long it took. Throws BuildError.
+int run_devices(const DevicesCommand& command);
 
 }  // namespace tyndall

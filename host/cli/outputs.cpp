@@ -27,8 +27,8 @@ std::string methods_of(const Report& report)
 std::string effects_of(const Report& report)
 {
     std::string effects;
-    for (const auto& [effect, found] : report.effects)
-        if (found) effects += (effects.empty() ? "" : " ") + effect;
+    for (const auto& effect : report.effects)
+        if (effect.found) effects += (effects.empty() ? "" : " ") + effect.effect;
     return effects;
 }
 

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "kernels/shared/host_features.hpp"
 #include "scene/text.hpp"
 #include "tyndall/error.hpp"
 
@@ -101,6 +102,22 @@ void parse_layers(std::string_view option, const std::string& text, LayerSet& la
         else
             layers.add(static_cast<Layer>(index));
     }
+}
+
+std::optional<std::uint32_t> parse_features(std::string_view option, const std::string& text)
+{
+    if (text == "own") return std::nullopt;
+    std::vector<std::string> names;
+    for (const auto& feature : scene_feature_list) names.emplace_back(feature.name);
+    names.insert(names.end(), {"all", "none", "own"});
+    std::uint32_t mask = 0;
+    for (const auto& part : split(text, ',')) {
+        const auto index = parse_choice(option, part, names);
+        if (index < scene_feature_list.size()) mask |= scene_feature_list[index].bit;
+        else if (names[index] == "all") for (const auto& feature : scene_feature_list) mask |= feature.bit;
+        else if (part != text) refuse(option, text, "\"" + part + "\" stands alone");
+    }
+    return mask;
 }
 
 std::size_t parse_choice(std::string_view option, const std::string& text, const std::vector<std::string>& names)

@@ -1,6 +1,7 @@
 #pragma once
 /// Values of options, strictly: the whole text, decimal, in range, in the C locale. All throw UsageError that names option and value.
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,6 +27,9 @@ Crop parse_crop(std::string_view option, const std::string& text);
 
 /// Adds the comma-separated layer names to the set; "all" adds every layer.
 void parse_layers(std::string_view option, const std::string& text, LayerSet& layers);
+
+/// A mask of kernels/shared/scene_features.h: comma-separated names, "all" or "none"; nothing for "own", what the scene calls for.
+std::optional<std::uint32_t> parse_features(std::string_view option, const std::string& text);
 
 /// Index of `text` in `names`.
 std::size_t parse_choice(std::string_view option, const std::string& text, const std::vector<std::string>& names);

@@ -89,6 +89,8 @@ void add_machine(CLI::App& app, RenderSettings& settings)
     add(app, "--threads", "N", "host threads (all cores)", [&](const auto& text) {
         settings.threads = integer("--threads", text, 1, 1024);
     })->envname("TYNDALL_THREADS");
+    add(app, "--features", "NAMES", "build kernels for these features, comma-separated, all or own; what the scene needs must be among them (own)",
+        [&](const auto& text) { settings.features = parse_features("--features", text); });
     add(app, "--tile", "PAIRS", "pairs per tile; never changes a byte of the image",
         [&](const auto& text) { settings.tile_pairs = static_cast<std::uint32_t>(parse_integer("--tile", text, 1, 1 << 30)); });
 }
@@ -119,6 +121,22 @@ void add_load_options(CLI::App& app, LoadOptions& options)
         ->type_name("NAME=VALUE")
         ->allow_extra_args(false);
     app.add_flag("--allow-outside", options.allow_outside, "let the scene name files outside its own folder");
+}
+
+void add_devices_options(CLI::App& app, DevicesCommand& command)
+{
+    auto* json = app.add_flag("--json", command.json, "as JSON");
+    app.add_flag("--prebuild", command.prebuild, "build the kernels of everyday scenes, so that the driver's cache has them")->excludes(json);
+    add(app, "-d,--device", "DEVICE", "the one that --prebuild builds for (as for render)", [&](const auto& text) { command.device = text; })->envname("TYNDALL_DEVICE");
+}
+
+void add_explain_options(CLI::App& app, ExplainCommand& command)
+{
+    add_render_options(app, command.render);
+    app.add_flag("--json", command.json, "as JSON");
+    add(app, "--calibrate", "TIME", "about so long may be spent on measuring, 0: not at all (3 s)", [&](const auto& text) {
+        command.calibration_seconds = text == "0" ? 0 : parse_duration("--calibrate", text);
+    });
 }
 
 void add_render_options(CLI::App& app, RenderCommand& command)

@@ -1,4 +1,6 @@
 #pragma once
+#include "cli/explain_command.hpp"
+#include "cli/list_commands.hpp"
 #include "cli/render_command.hpp"
 
 namespace CLI {
@@ -10,6 +12,12 @@ namespace tyndall {
 /// Declares the options of `tyndall render` on `app`; parsing fills `command`, which must outlive it. Values that make no sense throw
 /// UsageError.
 void add_render_options(CLI::App& app, RenderCommand& command);
+
+/// Declares the options of `tyndall explain`: those of `render` and its own.
+void add_explain_options(CLI::App& app, ExplainCommand& command);
+
+/// Declares the options of `tyndall devices`.
+void add_devices_options(CLI::App& app, DevicesCommand& command);
 
 /// Declares -D and --allow-outside, which every command that reads a scene has.
 void add_load_options(CLI::App& app, LoadOptions& options);

@@ -37,7 +37,7 @@ const DeviceInfo& Device::info() const { return state_->info; }
 std::uint64_t Device::programs_built() const
 {
     const std::lock_guard lock(state_->guard);
-    return state_->builds;
+    return state_->programs.size();
 }
 
 namespace {
@@ -63,15 +63,23 @@ cl::Program compiled(DeviceState& state, const std::string& text, const std::str
 
 cl::Program build_program(DeviceState& state, const std::string& text, const std::string& options)
 {
-    const std::string key = options + "\n" + text;
+    std::promise<cl::Program> promise;
+    std::shared_future<cl::Program> program;
     {
         const std::lock_guard lock(state.guard);
-        if (const auto known = state.programs.find(key); known != state.programs.end()) return known->second;
+        const auto [entry, is_new] = state.programs.try_emplace(options + "\n" + text);
+        if (!is_new) program = entry->second;  // built, or being built by another thread
+        else entry->second = promise.get_future().share();
     }
-    const cl::Program program = compiled(state, text, options);
+    if (program.valid()) return program.get();
+    try {
+        promise.set_value(compiled(state, text, options));
+    } catch (...) {
+        promise.set_exception(std::current_exception());
+        throw;
+    }
     const std::lock_guard lock(state.guard);
-    ++state.builds;
-    return state.programs.emplace(key, program).first->second;
+    return state.programs.at(options + "\n" + text).get();
 }
 
 cl::Buffer& GrowingBuffer::reserve(DeviceState& state, std::size_t bytes)

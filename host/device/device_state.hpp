@@ -1,5 +1,6 @@
 #pragma once
 /// The OpenCL side of Device and the helpers that stages share; only files below host/device include this.
+#include <future>
 #include <map>
 #include <mutex>
 #include <span>
@@ -19,8 +20,7 @@ struct DeviceState {
     cl::CommandQueue queue;  ///< in order, with time stamps where the device has them
     bool time_stamps = true;
     std::mutex guard;                             ///< of `programs`
-    std::uint64_t builds = 0;                     ///< programs compiled, or taken from the driver's cache
-    std::map<std::string, cl::Program> programs;  ///< built in this process, by options and text
+    std::map<std::string, std::shared_future<cl::Program>> programs;  ///< built or being built in this process, by options and text
 };
 
 /// Runs `call`; an OpenCL error becomes a DeviceError that says what was being done, on which device, and what to try.

@@ -9,7 +9,7 @@
 #include "eye_tracing/eye_tracing.hpp"
 #include "film/pass_image.hpp"
 #include "light_tracing/light_tracing.hpp"
-#include "pipeline/layer_plan.hpp"
+#include "pipeline/build_masks.hpp"
 #include "tiling/connect_pairs.hpp"
 
 namespace tyndall {
@@ -50,7 +50,8 @@ private:
         ConnectSettings settings;
     };
     void prepare_lights();
-    std::unique_ptr<Connector> make_connector(EyeKind kind, std::uint32_t features);
+    std::unique_ptr<Connector> make_connector(EyeKind kind);
+    void add_savings(Report& report) const;
     void connect(Connector& connector, const EyeRecords& eyes, EyeKind kind, const VirtualLights& lights, std::vector<Rgb>& image);
     void add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image);
     void add_host_layers(std::uint64_t pass, PassImage& image);
@@ -60,6 +61,7 @@ private:
     int max_depth_;
     SceneFeatures features_;
     LayerPlan plan_;
+    BuildMasks masks_;
     Visibility visibility_;
     const LightTechnique& technique_;
     std::optional<Device> device_;

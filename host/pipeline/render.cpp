@@ -9,6 +9,7 @@
 #include "film/error_estimate.hpp"
 #include "path_tracing/path_tracing.hpp"
 #include "pipeline/check_settings.hpp"
+#include "pipeline/forecast.hpp"
 #include "pipeline/pass_renderer.hpp"
 
 namespace tyndall {
@@ -61,6 +62,7 @@ RenderOutcome render(const Scene& scene, const RenderSettings& settings, const P
     PassRenderer renderer(scene, settings);
     Film film(scene.camera.crop_width, scene.camera.crop_height, renderer.plan().rendered());
     const double before = seconds_since(start);
+    Forecast forecast;
     std::string stopped_by = "passes";
     for (std::uint64_t pass = 0; settings.passes == 0 || pass < static_cast<std::uint64_t>(settings.passes); ++pass) {
         if (time_is_up(settings, film.passes(), seconds_since(start), before)) {
@@ -69,13 +71,14 @@ RenderOutcome render(const Scene& scene, const RenderSettings& settings, const P
         }
         const PassResult result = renderer.render(pass);
         film.add_pass(result.image, &result.features);
+        forecast.after_pass(settings, film.passes(), seconds_since(start), [&] { return estimated_error(film); });
         if (progress && !progress(progress_of(settings, renderer, film, seconds_since(start), before), film)) {
             stopped_by = "interrupt";
             break;
         }
     }
     Report report = report_of(scene, settings, renderer, film, seconds_since(start));
-    report.stopped_by = stopped_by;
+    report.stopped_by = stopped_by, report.before_seconds = before, report.prediction = forecast.prediction();
     return {std::move(film), std::move(report)};
 }
 

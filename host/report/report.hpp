@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tyndall/layer.hpp"
@@ -23,6 +22,28 @@ struct LayerReport {
     bool unbiased = true;
 };
 
+/// A line of the list of what a scene may call for (host/scene/scene_features.hpp).
+struct EffectReport {
+    std::string effect;
+    bool found = false;  ///< in this scene
+    std::string cause;   ///< "file:line:column: sentence" if found
+};
+
+/// Something that was not done because the scene does not need it.
+struct SavingReport {
+    std::string what, because;
+    double predicted_seconds = -1;  ///< that it would have taken; negative: not predicted
+};
+
+/// What the first passes said about the rest, to be set beside what happened.
+struct Prediction {
+    int from_passes = 0;     ///< how many passes it was made from
+    int passes = 0;          ///< in all
+    double seconds = 0;      ///< for all of them, with what came before the first
+    double error = -1;       ///< sqrt(relMSE) at the end; negative: unknown
+    double pass_seconds = 0; ///< each
+};
+
 struct NumericsLedger {
     std::uint64_t not_finite_pairs = 0, unsafe_shadow_segments = 0, floored_pairs = 0, runaway_walks = 0;
     std::vector<std::string> first_cases;  ///< a few, with pixel and light, for the ones above
@@ -33,11 +54,13 @@ struct Report {
     std::string scene, method, device, driver, build_options;
     std::uint64_t scene_hash = 0, seed = 0;
     int width = 0, height = 0, passes = 0, threads = 0, lanes = 0, max_depth = -1;
-    std::uint64_t light_paths = 0, virtual_lights = 0, eye_segments = 0, eye_points = 0, pairs = 0, shadow_segments = 0, launches = 0;
-    double seconds = 0, largest_launch_seconds = 0, pass_seconds = 0;
+    std::uint64_t light_paths = 0, virtual_lights = 0, eye_segments = 0, eye_points = 0, pairs = 0, shadow_segments = 0, launches = 0, programs = 0;
+    double seconds = 0, largest_launch_seconds = 0, pass_seconds = 0, before_seconds = 0;  ///< before: acceleration structures, kernels, pilot
     double error = 0;        ///< estimated sqrt(relMSE) of the image (host/film/error_estimate.hpp); negative: unknown (one pass)
     std::string stopped_by;  ///< "passes", "time", "interrupt"
-    std::vector<std::pair<std::string, bool>> effects;  ///< feature name -> found in this scene
+    std::vector<EffectReport> effects;
+    std::vector<SavingReport> savings;
+    std::optional<Prediction> prediction;  ///< none: fewer than three passes
     std::vector<LayerReport> layers;
     std::vector<StageTime> stages;
     std::vector<std::string> warnings;

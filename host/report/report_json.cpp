@@ -22,13 +22,15 @@ Json counts_of(const Report& report)
             {"eye_points", report.eye_points},
             {"pairs", report.pairs},
             {"shadow_segments", report.shadow_segments},
-            {"launches", report.launches}};
+            {"launches", report.launches},
+            {"programs", report.programs}};
 }
 
 Json timings_of(const Report& report)
 {
     return {{"seconds", number(report.seconds)},
             {"pass_seconds", number(report.pass_seconds)},
+            {"before_seconds", number(report.before_seconds)},
             {"largest_launch_seconds", number(report.largest_launch_seconds)},
             {"pairs_per_second", rate(report.pairs, report.seconds)},
             {"shadow_segments_per_second", rate(report.shadow_segments, report.seconds)}};
@@ -60,8 +62,37 @@ Json layers_of(const Report& report)
 Json effects_of(const Report& report)
 {
     Json effects = Json::object();
-    for (const auto& [effect, found] : report.effects) effects[effect] = found;
+    for (const auto& effect : report.effects) effects[effect.effect] = effect.found;
     return effects;
+}
+
+Json causes_of(const Report& report)
+{
+    Json causes = Json::object();
+    for (const auto& effect : report.effects)
+        if (!effect.cause.empty()) causes[effect.effect] = effect.cause;
+    return causes;
+}
+
+Json savings_of(const Report& report)
+{
+    Json savings = Json::array();
+    for (const auto& saving : report.savings)
+        savings.push_back({{"what", saving.what},
+                           {"because", saving.because},
+                           {"predicted_seconds", saving.predicted_seconds < 0 ? Json(nullptr) : number(saving.predicted_seconds)}});
+    return savings;
+}
+
+Json prediction_of(const Report& report)
+{
+    if (!report.prediction) return nullptr;
+    const Prediction& p = *report.prediction;
+    return {{"from_passes", p.from_passes},
+            {"passes", p.passes},
+            {"seconds", number(p.seconds)},
+            {"pass_seconds", number(p.pass_seconds)},
+            {"error", p.error < 0 ? Json(nullptr) : number(p.error)}};
 }
 
 Json numerics_of(const NumericsLedger& ledger)
@@ -100,7 +131,10 @@ std::string to_json(const Report& report)
     json["timings"] = timings_of(report);
     json["counts"] = counts_of(report);
     json["stages"] = stages_of(report);
+    json["prediction"] = prediction_of(report);
     json["effects"] = effects_of(report);
+    json["causes"] = causes_of(report);
+    json["savings"] = savings_of(report);
     json["layers"] = layers_of(report);
     json["numerics"] = numerics_of(report.ledger);
     json["warnings"] = report.warnings;

@@ -55,9 +55,24 @@ void add_effects(Text& table, const Report& report)
 {
     if (report.effects.empty()) return;
     Text found, absent;
-    for (const auto& [effect, present] : report.effects) (present ? found : absent) += " " + effect;
+    for (const auto& effect : report.effects) (effect.found ? found : absent) += " " + effect.effect;
     line(table, "effects found", "{}", found.empty() ? "none" : found.substr(1));
     line(table, "not in the scene", "{}", absent.empty() ? "none" : absent.substr(1));
+}
+
+void add_prediction(Text& table, const Report& report)
+{
+    if (!report.prediction) return;
+    const Prediction& p = *report.prediction;
+    line(table, "predicted", "{} for {} passes and an error of {}, from the first {} passes; it was {} for {} passes and {}", readable_seconds(p.seconds), p.passes,
+         readable_percent(p.error), p.from_passes, readable_seconds(report.seconds), report.passes, readable_percent(report.error));
+}
+
+void add_savings(Text& table, const Report& report)
+{
+    for (const auto& saving : report.savings)
+        line(table, "saved", "{}: {}{}", saving.what, saving.because,
+             saving.predicted_seconds < 0 ? "" : ", predicted to take " + readable_seconds(saving.predicted_seconds));
 }
 
 void add_layers(Text& table, const Report& report)
@@ -87,8 +102,10 @@ std::string to_table(const Report& report)
 {
     Text table;
     add_head(table, report);
+    add_prediction(table, report);
     add_counts(table, report);
     add_effects(table, report);
+    add_savings(table, report);
     add_layers(table, report);
     add_stages(table, report);
     add_ledger(table, report.ledger);

@@ -13,7 +13,6 @@ namespace tyndall {
 namespace {
 
 constexpr std::uint32_t fused_pairs = 4u << 20;   ///< per launch: 20-100 ms on a CPU device
-constexpr std::uint32_t shadowed_pairs = 1u << 15;  ///< per tile: packets and contributions stay in a core's cache
 
 /// Tiles in the order in which they are summed: blocks of lights in order, for each block all eyes.
 std::vector<PairTile> tiles_of(std::uint32_t groups, std::uint32_t lights, const ConnectSettings& settings)

@@ -10,6 +10,8 @@
 
 namespace tyndall {
 
+inline constexpr std::uint32_t shadowed_pairs = 1u << 15;  ///< per tile with shadow segments: packets and contributions stay in a core's cache
+
 /// Raw eye records, a multiple of eye_alignment of them, and what the host needs to know of each.
 struct EyeBatch {
     std::span<const std::byte> records;

@@ -1,0 +1,44 @@
+#include "pipeline/build_masks.hpp"
+
+#include "kernels/shared/host_features.hpp"
+#include "kernels/shared/records.hpp"
+#include "pipeline/choose_sampler.hpp"
+#include "tyndall/error.hpp"
+
+namespace tyndall {
+namespace {
+
+std::string place(const SourceLocation& where) { return where.line > 0 ? to_string(where) + ": " : ""; }
+
+void check_layer(const SceneFeatures& features, Layer layer, std::uint32_t wanted)
+{
+    for (const FeatureCause& cause : features.causes)
+        if (cause.layer == layer && (cause.bit & ~wanted))
+            throw UsageError("--features \"" + feature_names(wanted) + "\" lacks " + feature_names(cause.bit) + ", which " + std::string(name(layer)) + " needs: " + place(cause.where) +
+                             cause.cause + "; add it, or leave --features out");
+}
+
+}  // namespace
+
+BuildMasks build_masks(const SceneFeatures& features, const LayerPlan& plan, const std::optional<std::uint32_t>& wanted)
+{
+    if (!wanted) return {features.media_to_media, features.media_to_surface};
+    if ((*wanted & feature_bit::nonconvex_media) && !(*wanted & feature_bit::occluders))
+        throw UsageError("--features: NONCONVEX_MEDIA needs OCCLUDERS, because the host's walk answers both questions; add it");
+    if (plan.media_to_media) check_layer(features, Layer::media_to_media, *wanted);
+    if (plan.media_to_surface) check_layer(features, Layer::media_to_surface, *wanted);
+    return {*wanted, *wanted};
+}
+
+PairProgram pair_program(const Scene& scene, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes)
+{
+    const std::uint32_t features = kind == EyeKind::segments ? masks.media_to_media : masks.media_to_surface;
+    const bool samples_phase = kind == EyeKind::segments && (features & feature_bit::anisotropic);  // all others are the same program for every sampler
+    return {.eyes = kind,
+            .features = features,
+            .lanes = lanes,
+            .sampler = samples_phase ? choose_sampler(scene, settings.sampler) : SAMPLER_PAPER_ISOTROPIC,
+            .samples = static_cast<std::uint32_t>(settings.samples_per_pair)};
+}
+
+}  // namespace tyndall

@@ -1,0 +1,21 @@
+#pragma once
+/// Which features kernels are built with: the scene's own, or a mask that was asked for by hand.
+#include <optional>
+
+#include "device/pair_stage.hpp"
+#include "pipeline/layer_plan.hpp"
+
+namespace tyndall {
+
+struct BuildMasks {
+    std::uint32_t media_to_media = 0, media_to_surface = 0;
+};
+
+/// The scene's own masks, or `wanted` for both layers. A mask with more than the scene needs gives the same image within rounding and costs time; one that lacks
+/// what a layer of the plan needs throws UsageError, which names the element that needs it.
+BuildMasks build_masks(const SceneFeatures& features, const LayerPlan& plan, const std::optional<std::uint32_t>& wanted);
+
+/// The program for the connections of one kind of eye.
+PairProgram pair_program(const Scene& scene, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes);
+
+}  // namespace tyndall

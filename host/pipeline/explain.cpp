@@ -1,0 +1,71 @@
+#include "pipeline/explain.hpp"
+
+#include <algorithm>
+
+#include "kernels/shared/host_features.hpp"
+#include "path_tracing/path_tracing.hpp"
+#include "pipeline/build_masks.hpp"
+#include "pipeline/check_settings.hpp"
+#include "pipeline/light_budget.hpp"
+#include "pipeline/memory_estimate.hpp"
+#include "pipeline/savings.hpp"
+#include "pipeline/scene_doubts.hpp"
+
+namespace tyndall {
+namespace {
+
+/// One line for every program; accumulate_pairs serves both layers.
+void add_kernels(const std::string& layer, const PairProgram& program, std::vector<KernelReport>& kernels)
+{
+    for (const KernelBuild& build : kernel_builds(program)) {
+        const auto shared = std::find_if(kernels.begin(), kernels.end(), [&](const KernelReport& k) { return build.name == "accumulate_pairs" && k.kernel == build.name; });
+        if (shared != kernels.end()) shared->layer = "both layers";
+        else kernels.push_back({layer, build.name, feature_names(build.features), build.options});
+    }
+}
+
+/// Counts of one pass, with one eye segment and one eye point per pixel.
+PairCounts expected_pairs(const Explanation& e, const RenderSettings& settings, std::uint32_t lights)
+{
+    const double pixels = double(e.width) * e.height, pairs = pixels * lights * settings.samples_per_pair;
+    return {.to_segments = pairs, .to_points = pairs, .pixels = pixels, .lights_per_pass = double(lights)};
+}
+
+void add_warnings(const Scene& scene, const RenderSettings& settings, Explanation& e)
+{
+    e.warnings = scene.warnings;
+    const auto add = [&](const std::vector<std::string>& more) { e.warnings.insert(e.warnings.end(), more.begin(), more.end()); };
+    add(uncarried_light(scene));
+    add(doubts_about(scene, settings, Visibility(scene, settings.threads)));
+}
+
+}  // namespace
+
+std::vector<EffectReport> effect_reports(const SceneFeatures& features)
+{
+    std::vector<EffectReport> reports;
+    for (const Effect& effect : features.effects)
+        reports.push_back({std::string(effect.row.name), effect.found, effect.where.line > 0 ? to_string(effect.where) + ": " + effect.cause : effect.cause});
+    return reports;
+}
+
+Explanation explain(const Scene& scene, const RenderSettings& settings)
+{
+    check_settings(settings);
+    const SceneFeatures features = features_of(scene, settings.segment_length == SegmentLength::short_, settings.max_depth.value_or(scene.max_depth));
+    const LayerPlan plan = plan_layers(scene, features, settings);
+    const BuildMasks masks = build_masks(features, plan, settings.features);
+    const std::uint32_t lights = settings.lights ? settings.lights : default_lights(scene.camera, settings.seconds);
+    Explanation e{.scene = scene.file, .method = settings.method == Method::path ? "path" : "vrl"};
+    e.width = scene.camera.crop_width, e.height = scene.camera.crop_height, e.passes = settings.passes, e.seconds = settings.seconds;
+    e.lanes = plan.virtual_lights() ? settings.lanes ? settings.lanes : 16 : 0, e.lights = plan.virtual_lights() ? lights : 0;
+    e.effects = effect_reports(features), e.layers = plan.reports;
+    if (plan.media_to_media) add_kernels("media_to_media", pair_program(scene, settings, EyeKind::segments, masks, e.lanes), e.kernels);
+    if (plan.media_to_surface) add_kernels("media_to_surface", pair_program(scene, settings, EyeKind::points, masks, e.lanes), e.kernels);
+    e.memory = estimate_memory(scene, settings, plan, masks, e.lights);
+    e.savings = savings_of(features, plan, masks, expected_pairs(e, settings, settings.method == Method::vrl ? lights : 0));
+    add_warnings(scene, settings, e);
+    return e;
+}
+
+}  // namespace tyndall

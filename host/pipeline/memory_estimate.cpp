@@ -1,0 +1,51 @@
+#include "pipeline/memory_estimate.hpp"
+
+#include <algorithm>
+
+#include "device/pair_stage.hpp"
+#include "film/film.hpp"
+#include "kernels/shared/host_features.hpp"
+#include "lights/light_technique.hpp"
+#include "tiling/connect_pairs.hpp"
+
+namespace tyndall {
+namespace {
+
+constexpr std::uint64_t features_bytes = sizeof(Rgb) + sizeof(Vec3) + sizeof(double);  ///< albedo, normal, depth
+
+/// Sums per pixel: layers, squares of the beauty, features; twice, once a block of passes has been closed.
+std::uint64_t film_bytes(std::uint64_t pixels, const RenderSettings& settings, std::size_t layers)
+{
+    const bool one_block = settings.passes > 0 && settings.passes < FilmOptions{}.block_passes;
+    return pixels * (one_block ? 1u : 2u) * ((layers + 1) * sizeof(Rgb) + features_bytes);
+}
+
+/// What one kind of eye takes on the device.
+void add_device(const RenderSettings& settings, const std::string& layer, std::uint64_t eyes, bool occluders, std::uint32_t lights, std::vector<MemoryReport>& memory)
+{
+    constexpr std::uint64_t sums = 6 * sizeof(float), packet = sizeof(ShadowPacket) / SHADOW_PACKET_SIZE, contribution = 3 * sizeof(float);
+    memory.push_back({layer + ": eyes and their sums", eyes * (sizeof(EyeSegment) + sums), true});
+    memory.push_back({layer + ": virtual lights", lights * light_technique("virtual_ray_light").record_bytes, true});
+    if (!occluders) return;
+    const std::uint64_t samples = static_cast<std::uint64_t>(settings.samples_per_pair), wanted = std::max<std::uint64_t>((settings.tile_pairs ? settings.tile_pairs : shadowed_pairs) / samples, 1);
+    const std::uint64_t tile_eyes = std::min<std::uint64_t>(eyes, std::max<std::uint64_t>(wanted / light_block, eye_alignment));
+    const std::uint64_t pairs = tile_eyes * std::min<std::uint64_t>(lights, light_block) * samples;
+    memory.push_back({layer + ": two tiles of shadow segments", 2 * pairs * (packet + contribution), true});
+}
+
+}  // namespace
+
+std::vector<MemoryReport> estimate_memory(const Scene& scene, const RenderSettings& settings, const LayerPlan& plan, const BuildMasks& masks, std::uint32_t lights)
+{
+    const std::uint64_t pixels = static_cast<std::uint64_t>(scene.camera.crop_width) * static_cast<std::uint64_t>(scene.camera.crop_height);
+    std::vector<MemoryReport> memory{{"film", film_bytes(pixels, settings, plan.rendered().size())},
+                                     {"image of a pass", pixels * (plan.rendered().size() * sizeof(Rgb) + features_bytes)}};
+    if (!plan.virtual_lights()) return memory;
+    const std::uint64_t kinds = (plan.media_to_media ? 1u : 0u) + (plan.media_to_surface ? 1u : 0u), eyes = std::min<std::uint64_t>(pixels, eye_chunk);
+    memory.push_back({"eye segments and eye points", pixels * kinds * sizeof(EyeSegment)});
+    if (plan.media_to_media) add_device(settings, "media_to_media", eyes, masks.media_to_media & feature_bit::occluders, lights, memory);
+    if (plan.media_to_surface) add_device(settings, "media_to_surface", eyes, masks.media_to_surface & feature_bit::occluders, lights, memory);
+    return memory;
+}
+
+}  // namespace tyndall

@@ -1,0 +1,60 @@
+#include "pipeline/savings.hpp"
+
+#include "kernels/shared/host_features.hpp"
+
+namespace tyndall {
+namespace {
+
+/// Features that the masks of the layers that run do not have, as seconds over the pairs of those layers.
+SavingReport saving_of(const Effect& effect, const LayerPlan& plan, const BuildMasks& masks, const PairCounts& counts)
+{
+    const std::uint32_t bit = effect.row.bit;
+    double pairs = 0;
+    std::string layers;
+    const auto add = [&](bool runs, std::uint32_t mask, double of_layer, const char* layer) {
+        if (runs && !(mask & bit)) pairs += of_layer, layers += (layers.empty() ? "" : " and ") + std::string(layer);
+    };
+    add(plan.media_to_media, masks.media_to_media, counts.to_segments, "media_to_media");
+    add(plan.media_to_surface, masks.media_to_surface, counts.to_points, "media_to_surface");
+    if (layers.empty()) return {};
+    const double cost = nominal_pair_seconds(bit);
+    return {std::string(effect.row.saving), layers + " without " + std::string(effect.row.name), cost < 0 ? -1 : cost * pairs};
+}
+
+void add_skipped_layers(const LayerPlan& plan, const PairCounts& counts, std::vector<SavingReport>& savings)
+{
+    for (const LayerReport& layer : plan.reports) {
+        if (!layer.skipped || layer.why == "turned off") continue;
+        const bool connected = layer.layer == name(Layer::media_to_media) || layer.layer == name(Layer::media_to_surface);
+        const double pairs = counts.pixels * counts.lights_per_pass;
+        if (connected && pairs > 0) savings.push_back({"layer " + layer.layer, layer.why, pairs * nominal_plain_pair_seconds});  // the others stand among the layers
+    }
+}
+
+}  // namespace
+
+double nominal_pair_seconds(std::uint32_t feature)
+{
+    switch (feature) {
+        case feature_bit::anisotropic: return 5e-9;
+        case feature_bit::coloured: return 1e-9;
+        case feature_bit::occluders: return 20e-9;
+        case feature_bit::nonconvex_media: return 1000e-9;
+        default: return -1;
+    }
+}
+
+std::vector<SavingReport> savings_of(const SceneFeatures& features, const LayerPlan& plan, const BuildMasks& masks, const PairCounts& counts)
+{
+    std::vector<SavingReport> savings;
+    if (plan.virtual_lights())
+        for (const Effect& effect : features.effects) {
+            if (effect.row.bit == 0) continue;
+            SavingReport saving = saving_of(effect, plan, masks, counts);
+            if (!saving.what.empty()) savings.push_back(std::move(saving));
+        }
+    add_skipped_layers(plan, counts, savings);
+    return savings;
+}
+
+}  // namespace tyndall
