@@ -78,16 +78,16 @@ private:
 
     void add_segments(const RayWalk& walk)
     {
-        if (!settings_.segments) return;
         Rgb throughput = throughput_;
         for (const MediumPiece& piece : walk.pieces) {
             if (piece.medium == vacuum) continue;
             const Medium& medium = scene_.media[static_cast<std::size_t>(piece.medium)];
             const double length = std::min(piece.t1 - piece.t0, opaque_distance(medium));
             const Vec3 origin = ray_.origin + piece.t0 * ray_.direction, d = ray_.direction;
-            if (length > 0 && largest(throughput * medium.sigma_s()) > 0)
+            const uint key = next_key();  // also if nobody asks for segments: the numbers that follow are the same then
+            if (settings_.segments && length > 0 && largest(throughput * medium.sigma_s()) > 0)
                 row_.segments.push_back({f(origin.x), f(origin.y), f(origin.z), f(length), f(d.x), f(d.y), f(d.z), static_cast<uint>(piece.medium), f(throughput.r),
-                                         f(throughput.g), f(throughput.b), static_cast<uint>(depth_), pixel_, next_key(), 0, 0});
+                                         f(throughput.g), f(throughput.b), static_cast<uint>(depth_), pixel_, key, 0, 0});
             throughput *= glm::exp(-medium.sigma_t * (piece.t1 - piece.t0));
         }
     }
