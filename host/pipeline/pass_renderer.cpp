@@ -62,13 +62,13 @@ void StageClock::add(const std::string& stage, double seconds, std::uint64_t cou
     found->seconds += seconds, found->count += count;
 }
 
-PassRenderer::PassRenderer(const Scene& scene, const RenderSettings& settings)
+PassRenderer::PassRenderer(const Scene& scene, const RenderSettings& settings, const std::optional<BuildMasks>& unchecked)
     : scene_(scene),
       settings_(settings),
       max_depth_(settings.max_depth.value_or(scene.max_depth)),
       features_(features_of(scene, settings.segment_length == SegmentLength::short_, max_depth_)),
       plan_(plan_layers(scene, features_, settings)),
-      masks_(build_masks(features_, plan_, settings.features)),
+      masks_(unchecked ? *unchecked : build_masks(features_, plan_, settings.features)),
       visibility_(scene, settings.threads),
       technique_(light_technique("virtual_ray_light"))
 {

@@ -34,8 +34,9 @@ private:
 
 class PassRenderer {
 public:
-    /// Opens the device and compiles kernels only if the plan has virtual lights. Throws NoDeviceError, DeviceError.
-    PassRenderer(const Scene& scene, const RenderSettings& settings);
+    /// Opens the device and compiles kernels only if the plan has virtual lights. `unchecked`: masks instead of the scene's or the settings' own; a wrong one
+    /// gives a wrong image, which is what tests want. Throws UsageError, NoDeviceError, DeviceError.
+    PassRenderer(const Scene& scene, const RenderSettings& settings, const std::optional<BuildMasks>& unchecked = {});
 
     PassResult render(std::uint64_t pass);
     const LayerPlan& plan() const { return plan_; }
