@@ -10,7 +10,7 @@ build_packages=(
   libembree-dev libtbb-dev                                  # ray tracing on the host
   libopenexr-dev libpng-dev                                 # images
   libglm-dev libboost-dev                                   # host mathematics, small containers
-  libpugixml-dev libtinyobjloader-dev                       # scenes and meshes
+  libpugixml-dev                                            # scenes
   nlohmann-json3-dev libcli11-dev libfmt-dev                # reports, command line, messages
 )
 test_packages=(libgtest-dev libgmock-dev librapidcheck-dev python3-minimal)

@@ -175,6 +175,8 @@ void read_shape(SceneBuilder& builder, const XmlElement& element)
     }
     const XmlElement* bsdf = properties.single("bsdf");
     shape.bsdf = bsdf ? read_bsdf(builder, *bsdf) : default_bsdf(builder, shape.emitter != none);
+    if (shape.emitter != none && builder.scene.bsdfs[static_cast<std::size_t>(shape.bsdf)].type == Bsdf::Type::null)
+        refuse(properties.where(), properties.title() + ": glows, but its bsdf is null: light cannot leave a surface that is not there; give it another bsdf");
     properties.finish();
     builder.scene.shapes.push_back(std::move(shape));
 }

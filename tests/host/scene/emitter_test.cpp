@@ -92,6 +92,7 @@ TEST(Emitter, AreaStandsInItsShape)
     EXPECT_EQ(scene.emitters[0].value, Rgb(12));
     EXPECT_EQ(scene.bsdfs[static_cast<std::size_t>(scene.shapes[0].bsdf)].reflectance, Rgb(0));
     EXPECT_NE(emitter_fault("area").find("stands inside the <shape> that glows"), std::string::npos);
+    EXPECT_THROW(load_body(R"(<shape type="sphere"><bsdf type="null"/><emitter type="area"/></shape>)"), SceneError) << "nothing is there to glow";
     EXPECT_NE(fault_of_body("<shape type=\"cube\">\n<emitter type=\"point\"/></shape>")
                   .find("scene.xml:3:1: emitter \"point\": type \"point\" cannot stand inside"),
               std::string::npos);
