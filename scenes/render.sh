@@ -13,6 +13,7 @@ if [[ $# -gt 0 && $1 != -* ]]; then
   [[ -d $scene ]] || scene=$repository_root/scenes/$1
   shift
 fi
+[[ $# -gt 0 ]] || set -- --passes 48  # a minute or two on two cores; options of your own replace this
 if [[ ! -f $scene/scene.xml ]]; then
   say "$scene/scene.xml: no such scene; there are: $(cd "$repository_root/scenes" && echo */ | tr -d /)"
   exit 3
