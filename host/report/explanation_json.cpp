@@ -46,7 +46,7 @@ Json savings_of(const Explanation& e)
 {
     Json list = Json::array();
     for (const SavingReport& saving : e.savings)
-        list.push_back({{"what", saving.what}, {"because", saving.because}, {"predicted_seconds_per_pass", known(saving.predicted_seconds)}});
+        list.push_back({{"what", saving.what}, {"because", saving.because}, {"predicted_processor_seconds_per_pass", known(saving.predicted_seconds)}});
     return list;
 }
 

@@ -66,7 +66,7 @@ void add_savings(Text& text, const Explanation& e)
     add(text, "not done, because the scene does not need it");
     for (const SavingReport& saving : e.savings)
         add(text, "  {}: {}{}", saving.what, saving.because,
-            saving.predicted_seconds < 0 ? "" : fmt::format(", predicted {} a pass", readable_seconds(saving.predicted_seconds)));
+            saving.predicted_seconds < 0 ? "" : fmt::format(", predicted {} of processor time a pass", readable_seconds(saving.predicted_seconds)));
 }
 
 void add_time(Text& text, const Explanation& e)

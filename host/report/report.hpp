@@ -32,7 +32,7 @@ struct EffectReport {
 /// Something that was not done because the scene does not need it.
 struct SavingReport {
     std::string what, because;
-    double predicted_seconds = -1;  ///< that it would have taken; negative: not predicted
+    double predicted_seconds = -1;  ///< of processor time that it would have taken; negative: not predicted
 };
 
 /// What the first passes said about the rest, to be set beside what happened.

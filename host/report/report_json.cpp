@@ -80,7 +80,7 @@ Json savings_of(const Report& report)
     for (const auto& saving : report.savings)
         savings.push_back({{"what", saving.what},
                            {"because", saving.because},
-                           {"predicted_seconds", saving.predicted_seconds < 0 ? Json(nullptr) : number(saving.predicted_seconds)}});
+                           {"predicted_processor_seconds", saving.predicted_seconds < 0 ? Json(nullptr) : number(saving.predicted_seconds)}});
     return savings;
 }
 

@@ -72,7 +72,7 @@ void add_savings(Text& table, const Report& report)
 {
     for (const auto& saving : report.savings)
         line(table, "saved", "{}: {}{}", saving.what, saving.because,
-             saving.predicted_seconds < 0 ? "" : ", predicted to take " + readable_seconds(saving.predicted_seconds));
+             saving.predicted_seconds < 0 ? "" : ", predicted " + readable_seconds(saving.predicted_seconds) + " of processor time");
 }
 
 void add_layers(Text& table, const Report& report)

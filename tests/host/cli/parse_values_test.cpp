@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/render_command.hpp"
+#include "kernels/shared/host_features.hpp"
 #include "tyndall/error.hpp"
 
 namespace tyndall {
@@ -67,6 +68,16 @@ TEST(ParseValues, LayersAddUpAndMisspeltOnesGetASuggestion)
     } catch (const UsageError& error) {
         EXPECT_NE(std::string(error.what()).find("did you mean \"media_to_media\"?"), std::string::npos) << error.what();
     }
+}
+
+TEST(ParseValues, FeaturesAreNamesOrAllOrNoneOrOwn)
+{
+    using namespace feature_bit;
+    EXPECT_EQ(parse_features("--features", "COLOURED,OCCLUDERS"), coloured | occluders);
+    EXPECT_EQ(parse_features("--features", "all"), (1u << scene_feature_list.size()) - 1);
+    EXPECT_EQ(parse_features("--features", "none"), 0u);
+    EXPECT_FALSE(parse_features("--features", "own"));
+    for (const auto* text : {"", "coloured", "COLOURED,", "own,COLOURED", "COLOURED,none", "LIGHTS"}) EXPECT_THROW(parse_features("--features", text), UsageError) << text;
 }
 
 TEST(ParseValues, Definitions)
