@@ -1,0 +1,77 @@
+/// How many programs a scene builds: each costs most of a second before the first pixel.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "device/prebuild.hpp"
+#include "kernels/shared/host_features.hpp"
+#include "pipeline/pass_renderer.hpp"
+#include "scene/load_scene.hpp"
+
+namespace tyndall::test {
+namespace {
+
+Scene shipped(const std::string& name)
+{
+    Scene scene = load_scene(std::string(TYNDALL_SOURCE_DIR) + "/scenes/" + name + "/scene.xml");
+    scene.camera.width = scene.camera.height = scene.camera.crop_width = scene.camera.crop_height = 16;
+    scene.camera.crop_x = scene.camera.crop_y = 0;
+    return scene;
+}
+
+std::uint64_t programs_of(const Scene& scene, const RenderSettings& settings = {.passes = 1})
+{
+    Report report;
+    PassRenderer(scene, settings).fill(report);
+    return report.programs;
+}
+
+TEST(Programs, PerShippedScene)
+{
+    EXPECT_EQ(programs_of(shipped("six_vrls")), 1u);     // nothing to receive light but fog: gather_lights
+    EXPECT_EQ(programs_of(shipped("fruit_juice")), 2u);  // gather_lights for segments and for points
+    EXPECT_EQ(programs_of(shipped("cornell_fog")), 3u);  // sample_pairs for segments and for points, one accumulate_pairs for both
+    EXPECT_EQ(programs_of(shipped("fog_and_slit")), 3u);
+}
+
+TEST(Programs, NoneForPathTracingAndNoDeviceForLayersWithoutVirtualLights)
+{
+    EXPECT_EQ(programs_of(shipped("cornell_fog"), {.method = Method::path, .passes = 1}), 0u);
+    EXPECT_EQ(programs_of(shipped("cornell_fog"), {.layers = LayerSet().add(Layer::single), .passes = 1}), 0u);
+    EXPECT_EQ(programs_of(shipped("cornell_fog"), {.layers = LayerSet().add(Layer::media_to_media), .passes = 1}), 2u);
+}
+
+TEST(Programs, OfShippedScenesAreAmongThoseThatPrebuildBuilds)
+{
+    std::set<std::string> everyday;
+    const auto add = [](const PairProgram& program, std::set<std::string>& set) {
+        for (const KernelBuild& build : kernel_builds(program)) set.insert(build.name + (program.eyes == EyeKind::points ? " points " : " segments ") + build.options);
+    };
+    for (const PairProgram& program : everyday_programs(16)) add(program, everyday);
+    EXPECT_LE(everyday.size(), 40u);
+    for (const char* name : {"six_vrls", "fruit_juice", "cornell_fog", "fog_and_slit"}) {
+        const Scene scene = shipped(name);
+        const RenderSettings settings{.passes = 1};
+        const SceneFeatures features = features_of(scene, false, scene.max_depth);
+        const LayerPlan plan = plan_layers(scene, features, settings);
+        const BuildMasks masks = build_masks(features, plan, {});
+        std::set<std::string> needed;
+        if (plan.media_to_media) add(pair_program(scene, settings, EyeKind::segments, masks, 16), needed);
+        if (plan.media_to_surface) add(pair_program(scene, settings, EyeKind::points, masks, 16), needed);
+        for (const std::string& program : needed) EXPECT_TRUE(everyday.contains(program)) << name << ": " << program;
+    }
+}
+
+TEST(Programs, PrebuildRunsBothPipelines)
+{
+    Device device;
+    prebuild(device, {.features = 0, .lanes = 4});
+    EXPECT_EQ(device.programs_built(), 1u);
+    prebuild(device, {.features = feature_bit::occluders, .lanes = 4});
+    EXPECT_EQ(device.programs_built(), 3u);
+    prebuild(device, {.eyes = EyeKind::points, .features = feature_bit::occluders, .lanes = 4});
+    EXPECT_EQ(device.programs_built(), 4u) << "accumulate_pairs is shared";
+}
+
+}  // namespace
+}  // namespace tyndall::test
