@@ -1,0 +1,124 @@
+/// Virtual ray lights against their brute-force twin, layer by layer, where media, surfaces and lights lie in every way to each other.
+/// Channels differ in extinction, so each is judged.
+#include "whole_renderer.hpp"
+
+using namespace tyndall;
+using namespace tyndall::test;
+
+namespace {
+
+const std::string view = sensor({.origin = {.3, .6, 3}});
+const std::string lamp = horizontal({.2, 1.2, .1}, .3, false, diffuse(Rgb(0)) + glow(Rgb(4, 3, 2)));
+const std::string floor_below = horizontal({0, -.8, 0}, 1.5, true, diffuse(Rgb(.5, .25, .75)));
+const std::string fog = medium("fog", Rgb(.5, 1, 2), Rgb(.95, .9, .8), .5), smoke = medium("smoke", Rgb(4, 3, 2), Rgb(.7), -.3),
+                  haze = medium("haze", Rgb(.3), Rgb(.9));
+const std::string glass = R"(<bsdf type="dielectric"><float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/></bsdf>)";
+
+struct Twins {
+    WholeRender vrl, path;
+};
+
+Twins twins(const std::string& body, int vrl_passes = 400, int path_passes = 6000)
+{
+    const Scene scene = scene_of(body);
+    return {render_whole(scene, {.method = Method::vrl, .passes = vrl_passes, .lights = 256}),
+            render_whole(scene, {.method = Method::path, .passes = path_passes, .seed = 2})};
+}
+
+bool found(const WholeRender& r, const std::string& effect)
+{
+    for (const auto& known : r.report().effects)
+        if (known.effect == effect) return known.found;
+    ADD_FAILURE() << "the report knows no effect " << effect;
+    return false;
+}
+
+void expect_twins(const Twins& t, std::initializer_list<Layer> layers, double precision = .02)
+{
+    for (const int channel : {0, 1, 2}) expect_layers_agree(t.vrl, t.path, layers, precision, channel);
+}
+
+TEST(AgainstPathTracing, FogCubeAroundAnOccluder)
+{
+    const Twins t = twins(fog + container(Vec3(-.5), Vec3(.5), "fog") + box({-.3, .05, -.3}, {.3, .15, .3}, diffuse(Rgb(.5))) +
+                          floor_below + lamp + view);
+    EXPECT_TRUE(found(t.vrl, "OCCLUDERS"));
+    expect_twins(t, {Layer::single, Layer::media_to_media, Layer::media_to_surface});
+}
+
+TEST(AgainstPathTracing, NestedMedia)
+{
+    const Twins t = twins(fog + smoke + container(Vec3(-.5), Vec3(.5), "fog") + container({-.3, -.2, -.2}, {.1, .3, .3}, "smoke", "fog") +
+                          floor_below + lamp + view);
+    EXPECT_TRUE(found(t.vrl, "NONCONVEX_MEDIA"));
+    expect_twins(t, {Layer::single, Layer::media_to_media, Layer::media_to_surface});
+}
+
+TEST(AgainstPathTracing, MediaThatShareAFace)
+{
+    const Twins t = twins(fog + smoke + container({-.6, -.5, -.5}, {0, .5, .5}, "fog") + container({0, -.5, -.5}, {.6, .5, .5}, "smoke") +
+                          floor_below + lamp + view);
+    expect_twins(t, {Layer::single, Layer::media_to_media, Layer::media_to_surface});
+}
+
+TEST(AgainstPathTracing, FogInABallIsWalkedOnTheHost)
+{
+    const Twins t = twins(fog + sphere({0, 0, 0}, .6, null_surface + side_ref("interior", "fog")) + floor_below + lamp + view);
+    EXPECT_TRUE(found(t.vrl, "NONCONVEX_MEDIA"));
+    expect_twins(t, {Layer::single, Layer::media_to_media, Layer::media_to_surface});
+}
+
+TEST(AgainstPathTracing, CameraAndLightInsideTheFog)
+{
+    const Twins t = twins(fog + container(Vec3(-1), Vec3(1), "fog") + sphere({.1, -.4, -.4}, .5, diffuse(Rgb(.6))) +
+                          horizontal({-.2, .9, -.2}, .3, false, diffuse(Rgb(0)) + glow(Rgb(10, 20, 30), "fog")) +
+                          sensor({.origin = {.1, .2, .9}, .target = {0, 0, -1}, .fov = 60, .medium = "fog"}));
+    expect_twins(t, {Layer::single, Layer::media_to_media, Layer::media_to_surface}, .04);
+}
+
+TEST(AgainstPathTracing, SpotConstantAndDirectionalLight)
+{
+    const std::string lights =
+        R"(<emitter type="directional"><vector name="direction" value="0.3 -1 -0.2"/><rgb name="irradiance" value="0.5 1 1.5"/></emitter>)"
+        R"(<emitter type="spot"><transform name="to_world"><lookat origin="1 1 1" target="0 0 0" up="0 1 0"/></transform><rgb name="intensity" value="6"/>)"
+        R"(<float name="cutoff_angle" value="30"/></emitter>)";
+    const Twins t = twins(fog + container(Vec3(-.5), Vec3(.5), "fog") + floor_below + lights + constant_light(Rgb(.2)) + view);
+    expect_twins(t, {Layer::single, Layer::media_to_media, Layer::media_to_surface});
+}
+
+TEST(AgainstPathTracing, GlassBallInFogLitByAnArea)
+{
+    const Twins t = twins(fog + container(Vec3(-.6), Vec3(.6), "fog") + sphere({0, -.1, 0}, .3, glass + side_ref("exterior", "fog")) +
+                              floor_below + lamp + view,
+                          300, 8000);
+    EXPECT_TRUE(found(t.vrl, "SPECULAR_SURFACES"));
+    expect_twins(t, {Layer::media_to_media, Layer::media_to_surface}, .03);
+    expect_twins(t, {specular(Layer::media_to_media)}, .2);
+}
+
+/// Two boxes in vacuum are clipped in the kernel. A small boundary inside one of them between the medium and itself changes nothing but
+/// that the host must walk.
+TEST(DisjointMedia, ClippedInTheKernelAreAsWalkedOnTheHost)
+{
+    const std::string two = fog + smoke + container({-.7, -.5, -.4}, {-.1, .5, .4}, "fog") +
+                            container({.1, -.5, -.4}, {.7, .5, .4}, "smoke") + floor_below + lamp + view;
+    const std::string third = container({-.4, -.1, -.1}, {-.3, 0, 0}, "fog", "fog");
+    const WholeRender clipped = render_whole(scene_of(two), {.passes = 250, .lights = 256}),
+                      walked = render_whole(scene_of(two + third), {.passes = 250, .lights = 256, .seed = 2});
+    EXPECT_FALSE(found(clipped, "NONCONVEX_MEDIA"));
+    EXPECT_TRUE(found(walked, "NONCONVEX_MEDIA"));
+    for (const int channel : {0, 1, 2})
+        expect_layers_agree(clipped, walked, {Layer::media_to_media, Layer::media_to_surface}, .02, channel);
+    expect_twins({clipped, render_whole(scene_of(two), {.method = Method::path, .passes = 5000})},
+                 {Layer::media_to_media, Layer::media_to_surface});
+}
+
+TEST(AgainstPathTracing, ThinHazeBesideThickSmoke)
+{
+    const Twins t = twins(haze + medium("soot", Rgb(30, 20, 10), Rgb(.9)) + container({-.6, -.5, -.5}, {0, .5, .5}, "haze") +
+                              container({.1, -.3, -.3}, {.4, .3, .3}, "soot") + floor_below + lamp + view,
+                          400, 5000);
+    expect_twins(t, {Layer::single, Layer::media_to_media, Layer::media_to_surface}, .05);
+}
+
+}  // namespace
