@@ -47,9 +47,9 @@ std::vector<double> gathered(PairStage& stage, const Workload& work)
     return stage.sums();
 }
 
-void begin(PairStage& stage, const Workload& work)
+void begin(PairStage& stage, const Workload& work, EyeKind kind = EyeKind::segments)
 {
-    stage.begin(work.eye_bytes(), static_cast<std::uint32_t>(work.eyes.size()), work.lights, work.light_count, 0xffffffffu);
+    stage.begin(work.eye_bytes(kind), static_cast<std::uint32_t>(work.eyes.size()), work.lights, work.light_count, 0xffffffffu);
 }
 
 struct Agreement {
@@ -91,6 +91,41 @@ void pairs_per_second(benchmark::State& state, const Variant& variant, int lanes
     state.counters["agreeing_sums"] = agree.eyes;
 }
 
+struct Alone {
+    const char* name;
+    EyeKind eyes;
+    int sampler;
+};
+
+/// Programs that the baseline has no counterpart of: Henyey-Greenstein, grey.
+const Alone without_baseline[] = {{"product_sampler", EyeKind::segments, SAMPLER_PAPER}, {"surface_points", EyeKind::points, SAMPLER_PAPER_ISOTROPIC}};
+
+void pairs_alone(benchmark::State& state, const Alone& what, int lanes)
+{
+    const WorkloadWishes wishes;
+    const Workload work = make_workload(wishes);
+    PairStage stage(device(), {.eyes = what.eyes, .features = features_of(wishes), .lanes = lanes, .sampler = what.sampler}, work.tables);
+    begin(stage, work, what.eyes);
+    gathered(stage, work);
+    for (auto _ : state) {
+        std::vector<double> seconds;
+        for (int i = 0; i < 9; ++i) seconds.push_back(processor_seconds_of([&] { gathered(stage, work); }));
+        state.SetIterationTime(median(seconds));
+        state.counters["pairs_per_second"] = static_cast<double>(work.pairs()) / median(seconds);
+    }
+}
+
+/// One benchmark per lane width.
+template <typename Function, typename What>
+void at_every_width(Function function, const What& what)
+{
+    for (const int lanes : {1, 4, 8, 16})
+        benchmark::RegisterBenchmark((std::string("pairs/") + what.name + "/lanes:" + std::to_string(lanes)).c_str(), function, what, lanes)
+            ->UseManualTime()
+            ->Iterations(1)
+            ->Unit(benchmark::kMillisecond);
+}
+
 }  // namespace
 }  // namespace tyndall::bench
 
@@ -101,12 +136,8 @@ int main(int argc, char** argv)
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     benchmark::AddCustomContext("device", device().info().platform + ": " + device().info().name + ", driver " + device().info().driver);
-    for (const Variant& variant : variants)
-        for (const int lanes : {1, 4, 8, 16})
-            benchmark::RegisterBenchmark((std::string("pairs/") + variant.name + "/lanes:" + std::to_string(lanes)).c_str(), pairs_per_second, variant, lanes)
-                ->UseManualTime()
-                ->Iterations(1)
-                ->Unit(benchmark::kMillisecond);
+    for (const Variant& variant : variants) at_every_width(&pairs_per_second, variant);
+    for (const Alone& alone : without_baseline) at_every_width(&pairs_alone, alone);
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
 }

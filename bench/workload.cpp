@@ -54,6 +54,8 @@ Workload make_workload(const WorkloadWishes& wishes)
     for (std::uint32_t i = 0; i < wishes.eyes; ++i) {
         const glm::vec3 d = eye_direction(wishes, i, engine);
         work.eyes.push_back({0, 0, -3 * wishes.scale, 6 * wishes.scale, d.x, d.y, d.z, 0, 1, .9f, .8f, 0, i, static_cast<uint>(engine()), 0, 0});
+        const glm::vec3 end = glm::vec3(0, 0, -3 * wishes.scale) + 6 * wishes.scale * d;
+        work.points.push_back({end.x, end.y, end.z, 0, -d.x, -d.y, -d.z, 0, 1, .9f, .8f, i, -d.x, -d.y, -d.z, work.eyes.back().key});
     }
     std::vector<maths_float::VirtualRayLight> lights;
     for (std::uint32_t i = 0; i < wishes.lights; ++i) {

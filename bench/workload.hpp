@@ -21,11 +21,15 @@ struct WorkloadWishes {
 /// Eye rays and virtual ray lights in one homogeneous medium.
 struct Workload {
     std::vector<EyeSegment> eyes;
+    std::vector<EyePoint> points;   ///< where the eye rays end, facing back
     std::vector<std::byte> lights;  ///< VirtualRayLight records
     std::uint32_t light_count = 0;
     MediaTables tables;
 
-    std::span<const std::byte> eye_bytes() const { return std::as_bytes(std::span(eyes)); }
+    std::span<const std::byte> eye_bytes(EyeKind kind = EyeKind::segments) const
+    {
+        return kind == EyeKind::segments ? std::as_bytes(std::span(eyes)) : std::as_bytes(std::span(points));
+    }
     std::uint64_t pairs() const { return std::uint64_t(eyes.size()) * light_count; }
 };
 
