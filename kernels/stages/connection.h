@@ -2,7 +2,7 @@
 #ifndef CONNECTION_H
 #define CONNECTION_H
 
-#define MOST_PLANES 64     // of a container (host/scene/scene_features.cpp)
+#define MOST_PLANES 64     // of a container (host/scene/containers.cpp)
 #define LIGHT_BLOCK 256u  // lights are summed in fixed blocks of so many, by light number
 
 /// Length of the part of the segment from + t d, 0 <= t <= 1, |d| = length, that lies inside the container.
