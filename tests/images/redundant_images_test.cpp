@@ -1,5 +1,5 @@
-/// The same references by other roads through the program: virtual ray lights that end at their collision, two samples per pair, other lane
-/// widths.
+/// The same references by other roads through the program: virtual ray lights that end at their collision, two samples per pair, either
+/// sampler, other lane widths.
 #include <gtest/gtest.h>
 
 #include "reference_image.hpp"
@@ -19,6 +19,7 @@ RenderSettings short_lights(int passes)
 }
 RenderSettings two_samples(int passes) { return {.method = Method::vrl, .passes = passes, .lights = 256, .samples_per_pair = 2}; }
 RenderSettings lanes(int width, int passes) { return {.method = Method::vrl, .passes = passes, .lights = 256, .lanes = width}; }
+RenderSettings by(Sampler sampler, int passes) { return {.method = Method::vrl, .passes = passes, .lights = 256, .sampler = sampler}; }
 
 ReferenceCase named(const char* suffix, ReferenceCase test_case)
 {
@@ -35,6 +36,8 @@ INSTANTIATE_TEST_SUITE_P(Reference, RedundantImage,
                                          named("_short", whole_image(juice, short_lights(200))),
                                          named("_two_samples", double_scattering(fog_cube, two_samples(90))),
                                          named("_one_lane", whole_image(fog_cube, lanes(1, 25))),
+                                         named("_isotropic_sampler", all_media_to_media(juice, by(Sampler::paper_isotropic, 520))),
+                                         named("_product_sampler", all_media_to_media(fog_cube, by(Sampler::paper, 250))),
                                          named("_four_lanes", double_scattering(juice, lanes(4, 110))),
                                          named("_eight_lanes", double_scattering(fog_room, lanes(8, 25)))),
                          name_of);
