@@ -3,6 +3,7 @@
 #   bash bench/run.sh [OUT]          OUT: bench/results unless given
 #   BUILD=folder bash bench/run.sh   takes the programs of that build folder instead of building
 #   REPETITIONS=3 bash bench/run.sh  quicker; 7 unless given
+#   ONLY="pairs render" ...          renews only these results: pairs shadow_1_core shadow_2_cores build render
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
 out=${1:-$repository_root/bench/results}
@@ -16,10 +17,13 @@ if [[ -z ${BUILD:-} ]]; then
 fi
 build=${BUILD:-$build_folder}
 
+wanted() { [[ -z ${ONLY:-} || " $ONLY " == *" $1 "* ]]; }
+
 # measure NAME PROGRAM [OPTION...]: one JSON file of all repetitions, in random order so that a disturbance of the machine meets all alike.
 measure() {
   local name=$1 program=$2
   shift 2
+  wanted "$name" || return 0
   say "measuring $name"
   "$build/bench/$program" "$@" --benchmark_repetitions="$repetitions" --benchmark_enable_random_interleaving=true \
     --benchmark_out="$raw/$name.json" --benchmark_out_format=json >"$raw/$name.log" 2>&1 || { cat "$raw/$name.log" >&2; return 1; }
@@ -29,7 +33,9 @@ measure pairs pairs
 measure shadow_1_core shadow --cores=1
 [[ $(nproc) -lt 2 ]] || measure shadow_2_cores shadow --cores=2
 measure build build
-say "measuring render"
-python3 -B "$repository_root/bench/render.py" "$build/tyndall" "$repository_root/scenes/fruit_juice/scene.xml" "$repetitions" >"$raw/render.json"
+if wanted render; then
+  say "measuring render"
+  python3 -B "$repository_root/bench/render.py" "$build/tyndall" "$repository_root/scenes/fruit_juice/scene.xml" "$repetitions" >"$raw/render.json"
+fi
 python3 -B "$repository_root/bench/summarise.py" "$raw" "$out"
 say "results are in $out"

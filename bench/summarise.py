@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""summarise.py RAW OUT: what RAW/*.json (Google Benchmark, all repetitions) say, as OUT/<benchmark>.json, OUT/results.md and OUT/results.svg.
+"""summarise.py RAW OUT: what RAW/*.json (Google Benchmark, all repetitions) say, as OUT/<benchmark>.json; OUT/results.md and OUT/results.svg show all that lie in OUT.
 
 Every figure becomes {"median", "low", "high", "repetitions"}: low and high are the smallest and largest repetition. Nothing in it names the machine, only its kind.
 """
@@ -52,7 +52,7 @@ def table(results):
     lines = ["| benchmark | figure | median | lowest – highest |", "|---|---|---|---|"]
     for name, figures in results.items():
         for figure, s in figures.items():
-            if figure in ("agreeing_sums", "blocked_share"):
+            if figure in ("agreeing_sums", "blocked_share") or s["median"] == 0:
                 continue
             lines.append(f"| {name} | {figure} | {readable(figure, s['median'])} | {readable(figure, s['low'])} – {readable(figure, s['high'])} |")
     return "\n".join(lines) + "\n"
@@ -89,7 +89,7 @@ def figure(results):
         panels.append(bars("Shadow segments, and pairs with visibility, per second", rows, million))
     for name, f in results.items():
         if name.startswith("render/"):
-            rows = [(key.removesuffix("_seconds"), s, ours) for key, s in f.items() if key.endswith("_seconds") and "." not in key and s["median"] > .005]
+            rows = [(key.removesuffix("_seconds"), s, ours) for key, s in f.items() if key.endswith("_seconds") and "." not in key and key != "processor_seconds" and s["median"] > .005]
             panels.append(bars(f"Seconds per stage of {name.removeprefix('render/')}, 512 x 512, 4096 lights, one pass, two cores", rows, (1, "s")))
     body, y = [], 0
     for height, parts in panels:
@@ -102,21 +102,26 @@ def figure(results):
 def main():
     raw, out = sys.argv[1], sys.argv[2]
     os.makedirs(out, exist_ok=True)
-    everything, device = {}, None
-    for name in sorted(os.listdir(raw)):
-        if not name.endswith(".json"):
-            continue
-        figures, found = read(os.path.join(raw, name))
-        device = found or device
+    for name in json_files(raw):
+        figures, device = read(os.path.join(raw, name))
         results = {benchmark: {key: summary(values) for key, values in of_one.items()} for benchmark, of_one in sorted(figures.items(), key=lambda f: order(f[0]))}
-        everything.update(results)
         with open(os.path.join(out, name), "w", encoding="utf-8") as file:
-            json.dump({"cores": os.cpu_count(), "device": found, "results": results}, file, indent=1)
+            json.dump({"cores": os.cpu_count(), "device": device, "results": results}, file, indent=1)
             file.write("\n")
+    everything, device = {}, None
+    for name in json_files(out):
+        with open(os.path.join(out, name), encoding="utf-8") as file:
+            content = json.load(file)
+        everything.update(content["results"])
+        device = content["device"] or device
     with open(os.path.join(out, "results.md"), "w", encoding="utf-8") as file:
         file.write(f"# Results\n\nWritten by `bench/run.sh`; what the figures mean: [README](../README.md). {os.cpu_count()} cores, {device}.\n\n" + table(everything))
     with open(os.path.join(out, "results.svg"), "w", encoding="utf-8") as file:
         file.write(figure(everything))
+
+
+def json_files(folder):
+    return sorted(name for name in os.listdir(folder) if name.endswith(".json"))
 
 
 def order(name):

@@ -1,5 +1,5 @@
 #pragma once
-/// The OpenCL side of Device and the helpers that stages share; only files below host/device include this.
+/// The OpenCL side of Device and the helpers that stages share; only files below host/device include this, and the baseline kernel of bench/pairs.
 #include <future>
 #include <map>
 #include <mutex>
