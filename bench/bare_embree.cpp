@@ -20,8 +20,10 @@ namespace {
 void add_mesh(RTCDevice device, RTCScene scene, const Mesh& mesh)
 {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.vertices.size()));
-    auto* triangles = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
+    auto* vertices =
+        static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.vertices.size()));
+    auto* triangles =
+        static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
     for (const Vec3& p : mesh.vertices)
         for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(p[axis]);
     for (const auto& t : mesh.triangles)
@@ -56,7 +58,8 @@ void BareEmbree::occluded(std::span<ShadowPacket> packets) const
 
 void BareEmbree::occluded_in_parallel(std::span<ShadowPacket> packets) const
 {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, packets.size(), 64), [&](const auto& range) { occluded(packets.subspan(range.begin(), range.size())); });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, packets.size(), 64),
+                      [&](const auto& range) { occluded(packets.subspan(range.begin(), range.size())); });
 }
 
 }  // namespace tyndall::bench

@@ -1,4 +1,5 @@
-/// Seconds until a device program can run, with PoCL's cache empty (cold) and filled (warm): compiling and the first launch, where PoCL finishes the job.
+/// Seconds until a device program can run, with PoCL's cache empty (cold) and filled (warm): compiling and the first launch, where PoCL
+/// finishes the job.
 #include <benchmark/benchmark.h>
 #include <stdlib.h>
 
@@ -87,7 +88,8 @@ int main(int argc, char** argv)
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     for (const Wanted& wanted : programs)
         for (const int lanes : {1, 16})
-            benchmark::RegisterBenchmark((std::string("build/") + wanted.name + "/lanes:" + std::to_string(lanes)).c_str(), build, wanted, lanes, cache.path)
+            benchmark::RegisterBenchmark((std::string("build/") + wanted.name + "/lanes:" + std::to_string(lanes)).c_str(), build, wanted,
+                                         lanes, cache.path)
                 ->UseManualTime()
                 ->Iterations(1)
                 ->Unit(benchmark::kMillisecond);

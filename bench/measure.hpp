@@ -18,7 +18,8 @@ double seconds_of(Work&& work)
 /// Seconds of processor time of all threads of this process so far.
 double processor_seconds();
 
-/// Seconds of processor time that `work` takes. With one working thread that is the time on the wall of a machine that has nothing else to do.
+/// Seconds of processor time that `work` takes. With one working thread that is the time on the wall of a machine that has nothing else to
+/// do.
 template <typename Work>
 double processor_seconds_of(Work&& work)
 {

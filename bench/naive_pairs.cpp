@@ -35,8 +35,13 @@ struct NaivePairs::State {
 };
 
 NaivePairs::NaivePairs(Device& device, const Workload& work, std::uint32_t features)
-    : state_(std::make_unique<State>(State{device.state(), {}, GrowingBuffer{CL_MEM_READ_ONLY}, GrowingBuffer{CL_MEM_READ_ONLY}, GrowingBuffer{CL_MEM_READ_ONLY},
-                                           GrowingBuffer{CL_MEM_READ_WRITE}, work.eyes.size()}))
+    : state_(std::make_unique<State>(State{device.state(),
+                                           {},
+                                           GrowingBuffer{CL_MEM_READ_ONLY},
+                                           GrowingBuffer{CL_MEM_READ_ONLY},
+                                           GrowingBuffer{CL_MEM_READ_ONLY},
+                                           GrowingBuffer{CL_MEM_READ_WRITE},
+                                           work.eyes.size()}))
 {
     State& s = *state_;
     s.kernel = cl::Kernel(build_program(s.device, kernel_text(), options(features)), "naive_pairs");

@@ -1,5 +1,5 @@
-/// Pairs per second of the fused kernel at every lane width, beside the scalar baseline, in turns, on one core: by processor time, so that what else runs on
-/// the machine disturbs little. No visibility.
+/// Pairs per second of the fused kernel at every lane width, beside the scalar baseline, in turns, on one core: by processor time, so that
+/// what else runs on the machine disturbs little. No visibility.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -24,7 +24,8 @@ struct Variant {
     WorkloadWishes wishes;
 };
 
-const Variant variants[] = {{"isotropic_grey", {.g = 0}}, {"henyey_greenstein_grey", {}}, {"henyey_greenstein_coloured", {.coloured = true}}};
+const Variant variants[] = {
+    {"isotropic_grey", {.g = 0}}, {"henyey_greenstein_grey", {}}, {"henyey_greenstein_coloured", {.coloured = true}}};
 
 /// A workload on the device with the baseline that belongs to it.
 struct Prepared {
@@ -32,7 +33,10 @@ struct Prepared {
     NaivePairs naive;
     std::vector<float> naive_sums;
 
-    explicit Prepared(const WorkloadWishes& wishes) : work(make_workload(wishes)), naive(device(), work, features_of(wishes)), naive_sums(naive.sums()) {}
+    explicit Prepared(const WorkloadWishes& wishes)
+        : work(make_workload(wishes)), naive(device(), work, features_of(wishes)), naive_sums(naive.sums())
+    {
+    }
 };
 
 Prepared& prepared(const Variant& variant)
@@ -74,7 +78,8 @@ void pairs_per_second(benchmark::State& state, const Variant& variant, int lanes
     PairStage stage(device(), {.features = features_of(variant.wishes), .lanes = lanes}, p.work.tables);
     begin(stage, p.work);
     const Agreement agree = agreement(gathered(stage, p.work), p.naive_sums);
-    if (!(std::abs(agree.means - 1) < .01) || agree.eyes < .99) return state.SkipWithError("the fused kernel and the baseline do not compute the same");
+    if (!(std::abs(agree.means - 1) < .01) || agree.eyes < .99)
+        return state.SkipWithError("the fused kernel and the baseline do not compute the same");
     const double pairs = static_cast<double>(p.work.pairs());
     for (auto _ : state) {
         std::vector<double> scalar, fused;
@@ -98,7 +103,8 @@ struct Alone {
 };
 
 /// Programs that the baseline has no counterpart of: Henyey-Greenstein, grey.
-const Alone without_baseline[] = {{"product_sampler", EyeKind::segments, SAMPLER_PAPER}, {"surface_points", EyeKind::points, SAMPLER_PAPER_ISOTROPIC}};
+const Alone without_baseline[] = {{"product_sampler", EyeKind::segments, SAMPLER_PAPER},
+                                  {"surface_points", EyeKind::points, SAMPLER_PAPER_ISOTROPIC}};
 
 void pairs_alone(benchmark::State& state, const Alone& what, int lanes)
 {

@@ -1,4 +1,5 @@
-/// Shadow segments per second: through Visibility and through the whole sampled pipeline, beside Embree with nothing around it, in turns. --cores=1 or 2.
+/// Shadow segments per second: through Visibility and through the whole sampled pipeline, beside Embree with nothing around it, in turns.
+/// --cores=1 or 2.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
@@ -35,8 +36,12 @@ struct Room {
     std::vector<AlignedPacket> packets;  ///< of the first tiles
 
     explicit Room(bool bumpy)
-        : scene(shadow_scene(bumpy)), visibility(scene, cores), robust(scene, true), fast(scene, false),
-          work(make_workload({.g = 0, .scale = shadow_scale, .camera = true})), stage(device, {.features = feature_bit::occluders}, work.tables)
+        : scene(shadow_scene(bumpy)),
+          visibility(scene, cores),
+          robust(scene, true),
+          fast(scene, false),
+          work(make_workload({.g = 0, .scale = shadow_scale, .camera = true})),
+          stage(device, {.features = feature_bit::occluders}, work.tables)
     {
         stage.begin(work.eye_bytes(), eye_count(), work.lights, work.light_count, 0xffffffffu);
         for (std::uint32_t group = 0; group < stage.groups(); group += 8) {
@@ -78,7 +83,9 @@ Traced trace(const Room& room, Answer&& answer)
     for (std::size_t first = 0; first < room.packets.size(); first += tile_packets) {
         std::memcpy(&tile[0].packet, &room.packets[first].packet, tile_packets * sizeof(ShadowPacket));
         traced.seconds += measured([&] { answer(packets); });
-        for (const ShadowPacket& p : packets) traced.blocked += static_cast<std::uint64_t>(std::count_if(p.tfar, p.tfar + SHADOW_PACKET_SIZE, [](float t) { return t < -1; }));
+        for (const ShadowPacket& p : packets)
+            traced.blocked +=
+                static_cast<std::uint64_t>(std::count_if(p.tfar, p.tfar + SHADOW_PACKET_SIZE, [](float t) { return t < -1; }));
     }
     return traced;
 }
@@ -120,7 +127,10 @@ void pipeline(benchmark::State& state, bool bumpy)
     for (auto _ : state) {
         std::vector<double> ours, bare;
         for (int i = 0; i < 5; ++i) {
-            ours.push_back(measured([&] { connect_pairs(r.stage, r.visibility, {r.work.eye_bytes(), r.eye_count(), {}}, {r.work.lights, r.work.light_count}, settings, counts); }));
+            ours.push_back(measured([&] {
+                connect_pairs(r.stage, r.visibility, {r.work.eye_bytes(), r.eye_count(), {}}, {r.work.lights, r.work.light_count}, settings,
+                              counts);
+            }));
             bare.push_back(trace_bare(r, r.robust).seconds);
         }
         const double pairs = static_cast<double>(r.work.pairs());
@@ -136,8 +146,10 @@ int take_cores(int& argc, char** argv)
 {
     int chosen = 1, kept = 0;
     for (int i = 0; i < argc; ++i)
-        if (std::strncmp(argv[i], "--cores=", 8) == 0) chosen = std::max(std::atoi(argv[i] + 8), 1);
-        else argv[kept++] = argv[i];
+        if (std::strncmp(argv[i], "--cores=", 8) == 0)
+            chosen = std::max(std::atoi(argv[i] + 8), 1);
+        else
+            argv[kept++] = argv[i];
     argc = kept;
     return chosen;
 }
@@ -157,7 +169,10 @@ int main(int argc, char** argv)
     for (const bool bumpy : {false, true}) {
         const std::string where = "/triangles:" + std::to_string(triangle_count(shadow_scene(bumpy))) + "/cores:" + std::to_string(cores);
         for (const auto& [name, function] : {std::pair("packets", &packets_answered), std::pair("pipeline", &pipeline)})
-            benchmark::RegisterBenchmark((name + where).c_str(), function, bumpy)->UseManualTime()->Iterations(1)->Unit(benchmark::kMillisecond);
+            benchmark::RegisterBenchmark((name + where).c_str(), function, bumpy)
+                ->UseManualTime()
+                ->Iterations(1)
+                ->Unit(benchmark::kMillisecond);
     }
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();

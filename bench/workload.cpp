@@ -37,7 +37,8 @@ glm::vec3 eye_direction(const WorkloadWishes& wishes, std::uint32_t i, std::mt19
 {
     constexpr std::uint32_t row = 64;
     if (wishes.camera)
-        return glm::normalize(glm::vec3((float(i % row) + .5f - row / 2) / row, (float(i / row) + .5f - float(wishes.eyes / row) / 2) / row, .866f));
+        return glm::normalize(
+            glm::vec3((float(i % row) + .5f - row / 2) / row, (float(i / row) + .5f - float(wishes.eyes / row) / 2) / row, .866f));
     const glm::vec3 d = random_direction(engine);
     return glm::normalize(glm::vec3(d.x, d.y, std::abs(d.z) + 1));
 }
@@ -53,7 +54,8 @@ Workload make_workload(const WorkloadWishes& wishes)
     work.tables.media.push_back({sigma_t.x, sigma_t.y, sigma_t.z, static_cast<float>(wishes.g), sigma_s.x, sigma_s.y, sigma_s.z, 0});
     for (std::uint32_t i = 0; i < wishes.eyes; ++i) {
         const glm::vec3 d = eye_direction(wishes, i, engine);
-        work.eyes.push_back({0, 0, -3 * wishes.scale, 6 * wishes.scale, d.x, d.y, d.z, 0, 1, .9f, .8f, 0, i, static_cast<uint>(engine()), 0, 0});
+        work.eyes.push_back(
+            {0, 0, -3 * wishes.scale, 6 * wishes.scale, d.x, d.y, d.z, 0, 1, .9f, .8f, 0, i, static_cast<uint>(engine()), 0, 0});
         const glm::vec3 end = glm::vec3(0, 0, -3 * wishes.scale) + 6 * wishes.scale * d;
         work.points.push_back({end.x, end.y, end.z, 0, -d.x, -d.y, -d.z, 0, 1, .9f, .8f, i, -d.x, -d.y, -d.z, work.eyes.back().key});
     }

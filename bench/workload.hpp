@@ -13,8 +13,9 @@ struct WorkloadWishes {
     std::uint32_t eyes = 2048, lights = 1024;
     bool coloured = false;
     double g = .55;
-    float scale = 1;       ///< of all lengths (extinctions follow)
-    bool camera = false;   ///< eye rays through a grid of 64 pixels a row, 60 degrees wide, as a camera makes them: neighbours run close to each other
+    float scale = 1;  ///< of all lengths (extinctions follow)
+    bool camera =
+        false;  ///< eye rays through a grid of 64 pixels a row, 60 degrees wide, as a camera makes them: neighbours run close to each other
     std::uint32_t seed = 5;
 };
 
@@ -33,9 +34,9 @@ struct Workload {
     std::uint64_t pairs() const { return std::uint64_t(eyes.size()) * light_count; }
 };
 
-/// Eye rays of length 6 leave (0, 0, -3) towards a cube full of lights: in uniform directions bent towards the axis (|z| + 1 in the place of z), neighbours
-/// having nothing in common. Lights start uniformly in the cube [-1, 1]^3, have uniform directions and lengths uniform in [.5, 1.5]. Extinction .5
-/// (coloured: .4, .5, .7), albedo .8, phase function HG.
+/// Eye rays of length 6 leave (0, 0, -3) towards a cube full of lights: in uniform directions bent towards the axis (|z| + 1 in the place
+/// of z), neighbours having nothing in common. Lights start uniformly in the cube [-1, 1]^3, have uniform directions and lengths uniform in
+/// [.5, 1.5]. Extinction .5 (coloured: .4, .5, .7), albedo .8, phase function HG.
 Workload make_workload(const WorkloadWishes& wishes);
 
 /// Mask of kernels/shared/scene_features.h that the workload calls for.
