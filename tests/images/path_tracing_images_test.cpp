@@ -17,7 +17,7 @@ RenderSettings path(int passes) { return {.method = Method::path, .passes = pass
 std::string name_of(const testing::TestParamInfo<ReferenceCase>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Reference, PathTracedImage,
-                         testing::Values(whole_image(fog_room, path(200)), whole_image(juice, path(200)), whole_image(fog_cube, path(40)),
+                         testing::Values(whole_image(fog_room, path(220)), whole_image(juice, path(200)), whole_image(fog_cube, path(40)),
                                          at_most_one_scattering(fog_room, path(80)), at_most_one_scattering(juice, path(100)),
                                          at_most_one_scattering(fog_cube, path(200)), all_media_to_media(fog_room, path(2300)),
                                          all_media_to_media(juice, path(1800)), all_media_to_media(fog_cube, path(1200)),
