@@ -30,10 +30,10 @@ ReferenceCase named(const char* suffix, ReferenceCase test_case)
 std::string name_of(const testing::TestParamInfo<ReferenceCase>& info) { return info.param.name; }
 
 INSTANTIATE_TEST_SUITE_P(Reference, RedundantImage,
-                         testing::Values(named("_short", all_media_to_media(fog_room, short_lights(300))),
-                                         named("_short", all_media_to_media(juice, short_lights(900))),
-                                         named("_short", all_media_to_media(fog_cube, short_lights(500))),
-                                         named("_short", whole_image(juice, short_lights(200))),
+                         testing::Values(named("_short", all_media_to_media(fog_room, short_lights(90))),
+                                         named("_short", all_media_to_media(juice, short_lights(650))),
+                                         named("_short", all_media_to_media(fog_cube, short_lights(280))),
+                                         named("_short", whole_image(juice, short_lights(130))),
                                          named("_two_samples", double_scattering(fog_cube, two_samples(90))),
                                          named("_one_lane", whole_image(fog_cube, lanes(1, 25))),
                                          named("_isotropic_sampler", all_media_to_media(juice, by(Sampler::paper_isotropic, 520))),
