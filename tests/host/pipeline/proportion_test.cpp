@@ -90,18 +90,20 @@ double mean_difference(const std::vector<Rgb>& a, const std::vector<Rgb>& b)
     return sum == 0 ? difference : difference / sum;
 }
 
-// Hard case 24. Other factors leave render space with another scale, so float rounds elsewhere. Where a connection leaves the eye segment
-// is known to 3e-4 at worst (kernels/math/equiangular.h) and phase functions and transmittance follow it, at random signs in the 1200
-// contributions of a pixel; and a shadow segment that grazes an edge may change sides: one contribution of the 1200, in few pixels.
+// Hard case 24. Other factors leave render space with another scale, so coordinates round elsewhere. Where a light crosses an eye segment
+// closely, its distance is known only to the rounding of the coordinates (hard case 4), so single pixels move by some 1e-4 of the brightest
+// (measured: 3e-4 at most, with and without things that can occlude) and the image by some 1e-5 (measured: 4e-5). No light path takes
+// another course.
 TEST(WholeRenderer, ThirtySixOrdersOfTheUnitOfLengthKeepTheImage)
 {
     const WholeRender once = rendered(busy());
     for (const double k : {1e-18, 1e-9, .001, 3., 1e6, 1e18}) {
         const WholeRender r = rendered(busy(k));
+        EXPECT_EQ(r.report().virtual_lights, once.report().virtual_lights) << "k = " << k;
         for (const Layer layer : main_layers) {
             const auto a = r.film().mean(layer), b = once.film().mean(layer);
             EXPECT_LE(mean_difference(a, b), 1e-4) << name(layer) << ", k = " << k;
-            EXPECT_LE(largest_difference(a, b), 2e-3) << name(layer) << ", k = " << k;
+            EXPECT_LE(largest_difference(a, b), 1e-3) << name(layer) << ", k = " << k;
         }
     }
 }
