@@ -33,7 +33,7 @@ double seconds_to_first_result(const Wanted& wanted, int lanes, const Workload& 
     return seconds_of([&] {
         Device device;
         PairStage stage(device, {.eyes = wanted.eyes, .features = wanted.features, .lanes = lanes}, work.tables);
-        stage.begin(work.eye_bytes(), static_cast<std::uint32_t>(work.eyes.size()), work.lights, work.light_count, 0xffffffffu);
+        stage.begin(work.eye_bytes(), static_cast<std::uint32_t>(work.eyes.size()), work.lights, 0xffffffffu);
         const PairTile tile{0, stage.groups(), 0, work.light_count};
         if (wanted.features & feature_bit::occluders) {
             stage.sample(0, tile), stage.sampled(0);

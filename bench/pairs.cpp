@@ -53,7 +53,7 @@ std::vector<double> gathered(PairStage& stage, const Workload& work)
 
 void begin(PairStage& stage, const Workload& work, EyeKind kind = EyeKind::segments)
 {
-    stage.begin(work.eye_bytes(kind), static_cast<std::uint32_t>(work.eyes.size()), work.lights, work.light_count, 0xffffffffu);
+    stage.begin(work.eye_bytes(kind), static_cast<std::uint32_t>(work.eyes.size()), work.lights, 0xffffffffu);
 }
 
 struct Agreement {

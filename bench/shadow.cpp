@@ -43,7 +43,7 @@ struct Room {
           work(make_workload({.g = 0, .scale = shadow_scale, .camera = true})),
           stage(device, {.features = feature_bit::occluders}, work.tables)
     {
-        stage.begin(work.eye_bytes(), eye_count(), work.lights, work.light_count, 0xffffffffu);
+        stage.begin(work.eye_bytes(), eye_count(), work.lights, 0xffffffffu);
         for (std::uint32_t group = 0; group < stage.groups(); group += 8) {
             stage.sample(0, {group, 8, 0, light_block});
             for (const ShadowPacket& packet : stage.sampled(0).packets) packets.push_back({packet});

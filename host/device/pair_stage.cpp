@@ -116,10 +116,9 @@ PairStage::PairStage(PairStage&&) noexcept = default;
 
 std::uint32_t PairStage::groups() const { return state_->eye_count / state_->lanes(); }
 
-void PairStage::begin(std::span<const std::byte> eyes, std::uint32_t eye_count, std::span<const std::byte> lights, std::uint32_t light_count, std::uint32_t vertex_limit)
+void PairStage::begin(std::span<const std::byte> eyes, std::uint32_t eye_count, std::span<const std::byte> lights, std::uint32_t vertex_limit)
 {
     if (eye_count % eye_alignment != 0) throw std::logic_error("eyes are padded to a multiple of 16");
-    (void)light_count;
     state_->eye_count = eye_count, state_->vertex_limit = vertex_limit;
     state_->eyes.upload(state_->device, eyes);
     state_->lights.upload(state_->device, lights);
@@ -198,7 +197,7 @@ PairLedger PairStage::ledger() const
 {
     std::array<std::uint32_t, 4> raw{};
     on_device(state_->device, "reading the ledger", [&] { state_->device.queue.enqueueReadBuffer(state_->ledger.get(), CL_TRUE, 0, sizeof raw, raw.data()); });
-    return {raw[0], raw[1], raw[2]};
+    return {.not_finite = raw[0], .first_eye = raw[1], .first_counter = raw[2], .floored = raw[3]};
 }
 
 PairTimings PairStage::timings() const { return state_->timings; }

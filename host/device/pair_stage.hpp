@@ -48,6 +48,7 @@ struct SampledTile {
 
 struct PairLedger {
     std::uint32_t not_finite = 0, first_eye = 0, first_counter = 0;
+    std::uint32_t floored = 0;  ///< samples of pairs so close to crossing that the floor on their distance was active (kernels/README.md, eq. 7)
 };
 
 struct PairTimings {
@@ -76,7 +77,7 @@ public:
     PairStage(PairStage&&) noexcept;
 
     /// Starts a set of eyes and lights: raw records, sums at zero. vertex_limit: at most so many scattering vertices on a path (ignored without DEPTH_LIMIT).
-    void begin(std::span<const std::byte> eyes, std::uint32_t eye_count, std::span<const std::byte> lights, std::uint32_t light_count, std::uint32_t vertex_limit);
+    void begin(std::span<const std::byte> eyes, std::uint32_t eye_count, std::span<const std::byte> lights, std::uint32_t vertex_limit);
     std::uint32_t groups() const;
 
     /// Without occluders: adds a tile (first_light a multiple of light_block). Returns before it is done.

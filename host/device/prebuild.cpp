@@ -38,7 +38,7 @@ void prebuild(Device& device, const PairProgram& program)
 {
     PairStage stage(device, program, {.media = {MediumRecord{}}, .containers = {}, .planes = {}});
     const std::vector<std::byte> eyes(eye_alignment * sizeof(EyeSegment)), lights(256);  // larger than any one light's record
-    stage.begin(eyes, eye_alignment, lights, 1, 0);
+    stage.begin(eyes, eye_alignment, lights, 0);
     const PairTile tile{0, stage.groups(), 0, 1};
     if (program.features & feature_bit::occluders) {
         stage.sample(0, tile);

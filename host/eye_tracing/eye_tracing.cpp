@@ -17,7 +17,6 @@ namespace {
 constexpr int roulette_depth = 8;      ///< mirrors and glass before Russian roulette begins
 constexpr double most_survival = .95;  ///< so that total internal reflection ends
 
-double largest(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
 float f(double x) { return static_cast<float>(x); }
 
 struct Row {

@@ -20,8 +20,6 @@ constexpr std::uint64_t pilot_paths = 4096;
 constexpr int roulette_depth = 6;             ///< scattering vertices before Russian roulette begins
 constexpr double most_survival = .95;         ///< even where nothing is absorbed, so that every path ends
 
-double largest(const Rgb& c) { return std::max({c.r, c.g, c.b}); }
-
 /// One light path, from its emitter until it is absorbed or leaves the scene.
 class LightPath {
 public:

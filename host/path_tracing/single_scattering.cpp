@@ -9,17 +9,14 @@
 #include "transport/camera.hpp"
 #include "transport/emitter.hpp"
 #include "transport/medium.hpp"
+#include "transport/opaque_distance.hpp"
 #include "transport/phase_function.hpp"
 
 namespace tyndall {
 namespace {
 
-constexpr double opaque_depth = 104;   ///< exp(-104) is 0 in float
 constexpr int roulette_mirrors = 8;    ///< mirrors and glass before Russian roulette begins
 constexpr double most_survival = .95;  ///< so that total internal reflection ends
-
-double largest(const Rgb& c) { return std::max({c.x, c.y, c.z}); }
-double sum(const Rgb& c) { return c.x + c.y + c.z; }
 
 struct Shared {
     const Scene& scene;
@@ -89,21 +86,12 @@ private:
                                   .medium_index = piece.medium,
                                   .origin = ray.origin + piece.t0 * ray.direction,
                                   .direction = ray.direction,
-                                  .length = std::min(piece.t1 - piece.t0, opaque_from(medium, depth)),
+                                  .length = std::min(piece.t1 - piece.t0, opaque_distance(medium, depth)),
                                   .throughput = throughput * glm::exp(-depth)};
             if (stretch.length > 0 && largest(stretch.throughput * medium.sigma_s()) > 0) radiance += scatter(stretch);
             depth += (piece.t1 - piece.t0) * medium.sigma_t;
         }
         return radiance;
-    }
-
-    /// Length after which the camera sees nothing of the medium in any channel that scatters.
-    static double opaque_from(const Medium& medium, const Rgb& depth)
-    {
-        double length = 0;
-        for (int c = 0; c < 3; ++c)
-            if (medium.sigma_s()[c] > 0) length = std::max(length, (opaque_depth - depth[c]) / medium.sigma_t[c]);
-        return length;
     }
 
     /// Light of all emitters, or of one chosen at random where there are many.

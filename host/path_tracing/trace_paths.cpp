@@ -21,8 +21,6 @@ constexpr int roulette_vertices = 8;  ///< scattering vertices before Russian ro
 /// Also where nothing is absorbed, so that every path ends; high, because each step below 1 costs variance there.
 constexpr double most_survival = .995;
 
-double largest(const Rgb& c) { return std::max({c.x, c.y, c.z}); }
-
 /// What all paths of a pass share.
 struct Shared {
     const Scene& scene;

@@ -67,7 +67,7 @@ double pixels(const Scene& scene) { return double(scene.camera.crop_width) * sce
 Calibration calibrate(const Scene& scene, const RenderSettings& wanted, double seconds)
 {
     RenderSettings settings = wanted;
-    if (!settings.lights) settings.lights = default_lights(scene.camera, settings.seconds);  // of the whole film and the real budget
+    settings.lights = lights_per_pass(settings, scene.camera);  // of the whole film and the real budget
     const Scene pilot = shrunk(scene, 1.0 / 64);
     const Measured small = measure(pilot, settings, seconds / 4);
     const double growing = (small.mean - small.lights) * pixels(scene) / pixels(pilot);

@@ -55,7 +55,7 @@ Explanation explain(const Scene& scene, const RenderSettings& settings)
     const SceneFeatures features = features_of(scene, settings.segment_length == SegmentLength::short_, settings.max_depth.value_or(scene.max_depth));
     const LayerPlan plan = plan_layers(scene, features, settings);
     const BuildMasks masks = build_masks(features, plan, settings.features);
-    const std::uint32_t lights = settings.lights ? settings.lights : default_lights(scene.camera, settings.seconds);
+    const std::uint32_t lights = lights_per_pass(settings, scene.camera);
     Explanation e{.scene = scene.file, .method = settings.method == Method::path ? "path" : "vrl"};
     e.width = scene.camera.crop_width, e.height = scene.camera.crop_height, e.passes = settings.passes, e.seconds = settings.seconds;
     e.lanes = plan.virtual_lights() ? settings.lanes ? settings.lanes : 16 : 0, e.lights = plan.virtual_lights() ? lights : 0;

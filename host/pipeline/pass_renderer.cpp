@@ -16,8 +16,6 @@
 namespace tyndall {
 namespace {
 
-bool needs_device(const LayerPlan& plan) { return plan.virtual_lights(); }
-
 int lanes_of(const RenderSettings& settings, const Device& device) { return settings.lanes ? settings.lanes : device.info().default_lanes; }
 
 /// Records padded with copies that carry nothing, so that groups of lanes are full.
@@ -72,7 +70,7 @@ PassRenderer::PassRenderer(const Scene& scene, const RenderSettings& settings, c
       visibility_(scene, settings.threads),
       technique_(light_technique("virtual_ray_light"))
 {
-    if (needs_device(plan_)) prepare_lights();
+    if (plan_.virtual_lights()) prepare_lights();
 }
 
 void PassRenderer::prepare_lights()
@@ -82,7 +80,7 @@ void PassRenderer::prepare_lights()
     const auto build = [&](bool wanted, EyeKind kind) { return wanted ? make_connector(kind) : nullptr; };
     auto to_points = std::async(std::launch::async, build, plan_.media_to_surface, EyeKind::points);
     auto to_segments = std::async(std::launch::async, build, plan_.media_to_media, EyeKind::segments);
-    const std::uint32_t lights = settings_.lights ? settings_.lights : default_lights(scene_.camera, settings_.seconds);
+    const std::uint32_t lights = lights_per_pass(settings_, scene_.camera);
     light_paths_ = clock_.time("pilot", [&] {
         return paths_for(scene_, visibility_, technique_,
                          {.seed = settings_.seed, .max_depth = max_depth_, .light_segments = settings_.light_segments, .segment_length = settings_.segment_length}, lights);
@@ -152,7 +150,7 @@ void PassRenderer::add_savings(Report& report) const
     const double passes = std::max(report.passes, 1), lights = static_cast<double>(virtual_lights_) / passes, samples = settings_.samples_per_pair;
     const PairCounts pairs{.to_segments = static_cast<double>(eye_segments_) * lights * samples, .to_points = static_cast<double>(eye_points_) * lights * samples,
                            .pixels = double(scene_.camera.crop_width) * scene_.camera.crop_height * passes,
-                           .lights_per_pass = settings_.method == Method::vrl ? settings_.lights ? settings_.lights : default_lights(scene_.camera, settings_.seconds) : 0.};
+                           .lights_per_pass = settings_.method == Method::vrl ? lights_per_pass(settings_, scene_.camera) : 0.};
     report.savings = savings_of(features_, plan_, masks_, pairs);
 }
 
@@ -179,7 +177,7 @@ void PassRenderer::fill(Report& report) const
         report.lanes = connector->settings.lanes, report.launches += timings.launches;
         report.largest_launch_seconds = std::max(report.largest_launch_seconds, timings.largest_launch);
         report.build_options += (report.build_options.empty() ? "" : "; ") + std::string(layer) + ": " + connector->stage.options();
-        report.ledger.not_finite_pairs += ledger.not_finite;
+        report.ledger.not_finite_pairs += ledger.not_finite, report.ledger.floored_pairs += ledger.floored;
         if (ledger.not_finite)
             report.ledger.first_cases.push_back(std::string(layer) + ": eye " + std::to_string(ledger.first_eye) + ", light sample " + std::to_string(ledger.first_counter));
         for (const auto& [stage, seconds] : {std::pair("gather_lights", timings.gather), std::pair("sample_pairs", timings.sample), std::pair("accumulate_pairs", timings.accumulate)})

@@ -45,7 +45,9 @@ struct Prediction {
 };
 
 struct NumericsLedger {
-    std::uint64_t not_finite_pairs = 0, unsafe_shadow_segments = 0, floored_pairs = 0, runaway_walks = 0;
+    std::uint64_t not_finite_pairs = 0, runaway_walks = 0;
+    std::uint64_t unsafe_shadow_segments = 0;  ///< rays and shadow segments that were not finite (Visibility::invalid_rays)
+    std::uint64_t floored_pairs = 0;           ///< samples under the floor on the distance of light and eye line (kernels/README.md, eq. 7)
     std::vector<std::string> first_cases;  ///< a few, with pixel and light, for the ones above
     std::uint64_t not_finite_pixels = 0;   ///< per pass and layer, from the film; they count as 0
 };

@@ -90,8 +90,8 @@ void add_ledger(Text& table, const NumericsLedger& ledger)
     };
     add("pixels were not finite in one pass and count as 0 there", ledger.not_finite_pixels);
     add("pairs were not finite and count as 0", ledger.not_finite_pairs);
-    add("shadow segments were too short or too close to a surface to be trusted", ledger.unsafe_shadow_segments);
-    add("pairs met a floor of their density", ledger.floored_pairs);
+    add("rays or shadow segments were not finite and met nothing or counted as blocked", ledger.unsafe_shadow_segments);
+    add("pairs all but crossed: the floor on their distance was active, which adds variance and no bias", ledger.floored_pairs);
     add("walks were ended because they crossed too many surfaces", ledger.runaway_walks);
     for (const auto& first : ledger.first_cases) fmt::format_to(std::back_inserter(table), "    {}\n", terminal_safe(first));
 }

@@ -70,7 +70,7 @@ std::uint64_t answer(const Visibility& visibility, const SampledTile& sampled, c
 std::vector<double> connect_pairs(PairStage& stage, const Visibility& visibility, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings,
                                   ConnectCounts& counts)
 {
-    stage.begin(eyes.records, eyes.count, lights.records, lights.count, settings.vertex_limit);
+    stage.begin(eyes.records, eyes.count, lights.records, settings.vertex_limit);
     const std::vector<PairTile> tiles = tiles_of(stage.groups(), lights.count, settings);
     counts.pairs += std::uint64_t(eyes.count) * lights.count * settings.samples;
     if ((settings.features & feature_bit::occluders) == 0) {

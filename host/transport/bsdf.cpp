@@ -6,8 +6,6 @@
 namespace tyndall {
 namespace {
 
-double largest(const Rgb& c) { return std::max({c.x, c.y, c.z}); }
-
 /// The surface as the arriving ray sees it: normals turned towards where it comes from, and the BSDF of that side (null: it is black).
 struct Side {
     const Bsdf* bsdf;

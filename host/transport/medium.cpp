@@ -6,8 +6,6 @@
 namespace tyndall {
 namespace {
 
-double sum(const Rgb& c) { return c.x + c.y + c.z; }
-
 Rgb depth_of(const Scene& scene, const MediumPiece& piece, double t)
 {
     return piece.medium == vacuum ? Rgb(0) : (t - piece.t0) * scene.media[piece.medium].sigma_t;

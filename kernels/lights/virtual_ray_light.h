@@ -21,6 +21,7 @@ typedef struct {
     real3 from, to;     ///< its ends: on the eye's side, on the light
     real length;        ///< |to - from|
     real3 radiance;     ///< towards the camera, without the transmittance of the connection itself
+    mask floored;       ///< the pair all but meets: the floor on its distance was active; its weight is finite but unbounded
 } Connection;
 
 /// A medium per lane.
@@ -91,6 +92,7 @@ PURE Connection connect_segment(EyeSegmentLanes eye, MediumLanes eye_medium, Vir
 
     real3 d = along3(p, -angle.u, eye.direction);                 // from the eye segment to the light
     Connection c;
+    c.floored = rod.floor_ratio > R(1.0);
     c.from = along3(eye.origin, angle.u, eye.direction);
     c.to = add3(c.from, d);
     c.length = length3(d);
@@ -118,6 +120,7 @@ PURE Connection connect_point(EyePointLanes eye, VirtualRayLight light, MediumRe
     SurfaceRodSample rod = sample_surface_rod(p, b, (real)light.length, eye.normal, xi.first);
     real3 d = along3(p, rod.v, b);
     Connection c;
+    c.floored = rod.v < R(0.0);                                   // never: this density has no floor
     c.from = eye.position;
     c.to = add3(c.from, d);
     c.length = length3(d);

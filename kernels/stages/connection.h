@@ -26,7 +26,7 @@ typedef struct {
     uint container_count;
 } Surroundings;
 
-/// The planes of the only container that some eye of the group is outside of, with the room (negative: outside) that each eye has to them. Only they can
+/// The planes of the only container that some eye of the group is outside of, with the distance of each eye beyond them. Only they can
 /// cut a connection to a light, which lies inside.
 typedef struct {
     uint count;
@@ -83,7 +83,8 @@ static inline real3 leg_transmittance(const FacingPlanes* facing, Surroundings s
     return transmittance3(depth);
 }
 
-/// One sample of one light for LANES eyes, with everything but visibility. Radiance that is not finite is counted in the ledger and taken out of the sum.
+/// One sample of one light for LANES eyes, with everything but visibility. Radiance that is not finite is counted in the ledger (0: how many, 1 and 2: the
+/// first eye and counter) and taken out of the sum; pairs under the floor are counted (3) and stay.
 static inline Connection connect_counted(Eye eye, const FacingPlanes* facing, Light light, Surroundings s, uint vertex_limit, uint counter,
                                          __global uint* ledger, uint group)
 {
@@ -94,6 +95,7 @@ static inline Connection connect_counted(Eye eye, const FacingPlanes* facing, Li
         mask allowed = to_mask(eye.depth + light.depth + 2u <= vertex_limit);
         c.radiance = select3(make_real3(R(0.0), R(0.0), R(0.0)), c.radiance, allowed);
     }
+    if (any_lane(c.floored)) atomic_add(&ledger[3], count_lanes(c.floored));
     mask finite = to_mask(isfinite(c.radiance.x + c.radiance.y + c.radiance.z));
     if (!all_lanes(finite)) {
         uint lanes = count_lanes(finite);

@@ -91,7 +91,7 @@ TEST(PairStage, ABlockedSegmentAddsNothing)
 {
     const auto pairs = random_pairs({.eyes = 16, .lights = 40});
     PairStage stage(device(), program(EyeKind::segments, feature_bit::occluders, 16), pairs.tables);
-    stage.begin(std::as_bytes(std::span(pairs.segments)), 16, pairs.lights, 40, 0xffffffffu);
+    stage.begin(std::as_bytes(std::span(pairs.segments)), 16, pairs.lights, 0xffffffffu);
     stage.sample(0, {0, 1, 0, 40});
     for (ShadowPacket& packet : stage.sampled(0).packets)
         for (float& tfar : packet.tfar) tfar = -std::numeric_limits<float>::infinity();
@@ -103,7 +103,7 @@ TEST(PairStage, ShadowSegmentsRunBetweenShortenedEnds)
 {
     const auto pairs = random_pairs({.eyes = 16, .lights = 40});
     PairStage stage(device(), program(EyeKind::segments, feature_bit::occluders, 16), pairs.tables);
-    stage.begin(std::as_bytes(std::span(pairs.segments)), 16, pairs.lights, 40, 0xffffffffu);
+    stage.begin(std::as_bytes(std::span(pairs.segments)), 16, pairs.lights, 0xffffffffu);
     stage.sample(0, {0, 1, 0, 40});
     for (const ShadowPacket& packet : stage.sampled(0).packets)
         for (int i = 0; i < 16; ++i) {
@@ -128,6 +128,18 @@ TEST(PairStage, ALightThatIsNotFiniteIsCountedAndTakenOut)
     EXPECT_EQ(ledger.not_finite, 16u);
     EXPECT_EQ(ledger.first_counter, 290u);
     for (std::size_t i = 0; i < with_nan.size(); i += 3) EXPECT_EQ(with_nan[i], without_red[i]) << "the other 299 lights stay";
+}
+
+TEST_P(AtEveryLaneWidth, PairsThatCrossAreCountedAndFinite)
+{
+    auto pairs = random_pairs({.eyes = 16, .lights = 5});
+    PairStage stage(device(), program(EyeKind::segments, 0, GetParam()), pairs.tables);
+    gathered(stage, pairs, EyeKind::segments, 1000, 1024);
+    EXPECT_EQ(stage.ledger().floored, 0u) << "random pairs do not cross";
+    testing::lay_light_across(pairs, 2);
+    for (const double x : gathered(stage, pairs, EyeKind::segments, 1000, 1024)) EXPECT_TRUE(std::isfinite(x));
+    EXPECT_EQ(stage.ledger().floored, 1u) << "the first eye alone looks through the light";
+    EXPECT_EQ(stage.ledger().not_finite, 0u);
 }
 
 TEST(PairStage, VertexLimitCountsEyeAndLight)

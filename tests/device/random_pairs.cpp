@@ -76,6 +76,16 @@ void set_flux(RandomPairs& pairs, std::uint32_t light, float red)
     std::memcpy(pairs.lights.data() + light * sizeof(maths_float::VirtualRayLight) + offsetof(maths_float::VirtualRayLight, flux_r), &red, sizeof red);
 }
 
+void lay_light_across(RandomPairs& pairs, std::uint32_t light)
+{
+    EyeSegment& eye = pairs.segments.front();
+    eye.origin_x = eye.origin_y = eye.origin_z = 0, eye.length = .5f, eye.direction_x = 1, eye.direction_y = eye.direction_z = 0;
+    auto all = lights_of(pairs);
+    maths_float::VirtualRayLight& l = all[light];
+    l.origin_x = .25f, l.origin_y = -.25f, l.origin_z = 0, l.length = .5f, l.direction_x = l.direction_z = 0, l.direction_y = 1;
+    std::memcpy(pairs.lights.data(), all.data(), pairs.lights.size());
+}
+
 std::vector<double> host_sums(const RandomPairs& pairs, EyeKind kind)
 {
     using namespace maths_double;
@@ -111,7 +121,7 @@ namespace {
 void begin(PairStage& stage, const RandomPairs& pairs, EyeKind kind, std::uint32_t vertex_limit)
 {
     const auto bytes = kind == EyeKind::segments ? std::as_bytes(std::span(pairs.segments)) : std::as_bytes(std::span(pairs.points));
-    stage.begin(bytes, static_cast<std::uint32_t>(pairs.segments.size()), pairs.lights, pairs.light_count, vertex_limit);
+    stage.begin(bytes, static_cast<std::uint32_t>(pairs.segments.size()), pairs.lights, vertex_limit);
 }
 }  // namespace
 

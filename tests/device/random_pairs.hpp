@@ -33,6 +33,9 @@ std::vector<double> gathered(PairStage& stage, const RandomPairs& pairs, EyeKind
 /// The same with occluders, every shadow segment answered "visible".
 std::vector<double> sampled_and_accumulated(PairStage& stage, const RandomPairs& pairs, EyeKind kind, std::uint32_t tile_groups);
 
+/// Lays one light across the first eye segment: both run along axes and meet in a point.
+void lay_light_across(RandomPairs& pairs, std::uint32_t light);
+
 /// Sets one light's red flux to a value.
 void set_flux(RandomPairs& pairs, std::uint32_t light, float red);
 
