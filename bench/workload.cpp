@@ -51,7 +51,7 @@ Workload make_workload(const WorkloadWishes& wishes)
     std::mt19937 engine(wishes.seed);
     std::uniform_real_distribution<float> uniform(-1, 1);
     const glm::vec3 sigma_t = (wishes.coloured ? glm::vec3(.4f, .5f, .7f) : glm::vec3(.5f)) / wishes.scale, sigma_s = .8f * sigma_t;
-    work.tables.media.push_back({sigma_t.x, sigma_t.y, sigma_t.z, static_cast<float>(wishes.g), sigma_s.x, sigma_s.y, sigma_s.z, 0});
+    work.tables.media.push_back({sigma_t.x, sigma_t.y, sigma_t.z, static_cast<float>(wishes.g), sigma_s.x, sigma_s.y, sigma_s.z, 0, 0, NO_GRID, NO_GRID, 0});
     for (std::uint32_t i = 0; i < wishes.eyes; ++i) {
         const glm::vec3 d = eye_direction(wishes, i, engine);
         work.eyes.push_back(

@@ -35,6 +35,7 @@ struct PairStage::State {
     PairProgram program;
     cl::Kernel gather, sample, accumulate;
     GrowingBuffer eyes{CL_MEM_READ_ONLY}, lights{CL_MEM_READ_ONLY}, media{CL_MEM_READ_ONLY}, containers{CL_MEM_READ_ONLY}, planes{CL_MEM_READ_ONLY};
+    GrowingBuffer lobes{CL_MEM_READ_ONLY}, phase_values{CL_MEM_READ_ONLY}, grids{CL_MEM_READ_ONLY}, voxels{CL_MEM_READ_ONLY};
     GrowingBuffer sums{CL_MEM_READ_WRITE}, ledger{CL_MEM_READ_WRITE};
     std::array<Slot, 2> slots;
     std::uint32_t eye_count = 0, vertex_limit = 0, container_count = 0;
@@ -65,7 +66,8 @@ struct PairStage::State {
         kernel.setArg(i++, eyes.get()), kernel.setArg(i++, tile.first_group), kernel.setArg(i++, tile.groups);
         kernel.setArg(i++, lights.get()), kernel.setArg(i++, tile.first_light), kernel.setArg(i++, tile.lights);
         kernel.setArg(i++, program.samples), kernel.setArg(i++, vertex_limit), kernel.setArg(i++, media.get());
-        kernel.setArg(i++, containers.get()), kernel.setArg(i++, container_count), kernel.setArg(i++, planes.get());
+        kernel.setArg(i++, containers.get()), kernel.setArg(i++, planes.get()), kernel.setArg(i++, container_count);
+        kernel.setArg(i++, lobes.get()), kernel.setArg(i++, phase_values.get()), kernel.setArg(i++, grids.get()), kernel.setArg(i++, voxels.get());
         return i;
     }
 
@@ -106,6 +108,10 @@ PairStage::PairStage(Device& device, const PairProgram& program, const MediaTabl
     state_->media.upload(state_->device, bytes_of(tables.media));
     state_->containers.upload(state_->device, bytes_of(tables.containers));
     state_->planes.upload(state_->device, bytes_of(tables.planes));
+    state_->lobes.upload(state_->device, bytes_of(tables.lobes));
+    state_->phase_values.upload(state_->device, bytes_of(tables.phase_values));
+    state_->grids.upload(state_->device, bytes_of(tables.grids));
+    state_->voxels.upload(state_->device, bytes_of(tables.voxels));
     state_->container_count = static_cast<std::uint32_t>(tables.containers.size());
     const std::vector<std::uint32_t> zero(4, 0);
     state_->ledger.upload(state_->device, bytes_of(zero));

@@ -33,6 +33,10 @@ struct MediaTables {
     std::vector<MediumRecord> media;
     std::vector<ContainerRecord> containers;
     std::vector<PlaneRecord> planes;
+    std::vector<PhaseLobeRecord> lobes{};
+    std::vector<float> phase_values{};
+    std::vector<GridRecord> grids{};
+    std::vector<float> voxels{};
 };
 
 /// A rectangle of pairs. With shadow segments its lights lie in one block; first_group x lanes is a multiple of the packet size.

@@ -8,7 +8,7 @@ MediaTables media_tables(const Scene& scene, const SceneFeatures& features)
     MediaTables tables;
     for (const Medium& m : scene.media) {
         const Rgb t = m.sigma_t, s = m.sigma_s();
-        tables.media.push_back({f(t.r), f(t.g), f(t.b), m.phase.type == PhaseFunction::Type::isotropic ? 0.0f : f(m.phase.g), f(s.r), f(s.g), f(s.b), 0});
+        tables.media.push_back({f(t.r), f(t.g), f(t.b), m.phase.type == PhaseFunction::Type::isotropic ? 0.0f : f(m.phase.g), f(s.r), f(s.g), f(s.b), 0, 0, NO_GRID, NO_GRID, 0});
     }
     for (const Container& container : features.containers) {
         tables.containers.push_back({static_cast<uint>(container.medium), static_cast<uint>(tables.planes.size()), static_cast<uint>(container.planes.size()), 0});

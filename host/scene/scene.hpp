@@ -27,19 +27,34 @@ struct PhaseFunction {
     double g = 0;  ///< mean cosine, in (-1, 1); 0 for isotropic
 };
 
-/// A homogeneous participating medium; coefficients per unit of render-space length, scale already applied.
+/// A box of voxels. Values are given at the centres of the voxels, trilinear between them, those of the outermost centres up to the faces of the box, and 0
+/// outside of it.
+struct Volume {
+    std::string name;
+    int size_x = 1, size_y = 1, size_z = 1;
+    int channels = 1;           ///< 1 or 3 (r, g, b)
+    std::vector<float> values;  ///< [channel][z][y][x]; finite, >= 0
+    Mat4 to_world{1};           ///< of the unit cube [0, 1]^3, to render space; affine
+    SourceLocation where;
+};
+
+inline constexpr int none = -1;    ///< "no such thing" for every index but a medium's
+
+/// A participating medium; coefficients per unit of render-space length, scale already applied. It is homogeneous unless it has a volume.
 struct Medium {
     std::string name;
-    Rgb sigma_t{0};  ///< extinction, >= 0
-    Rgb albedo{0};   ///< in [0, 1]
+    Rgb sigma_t{0};            ///< extinction, >= 0; with a density: extinction where the density is 1
+    Rgb albedo{0};             ///< in [0, 1]; with an albedo volume: that volume's largest value per channel
     PhaseFunction phase;
     SourceLocation where;
+    int density = none;        ///< index into Scene::volumes: extinction is sigma_t x its value (per channel), 0 outside of its box
+    int albedo_volume = none;  ///< index into Scene::volumes: albedo is its value, in [0, 1]
+    bool homogeneous() const { return density == none && albedo_volume == none; }
+    /// Scattering, where the density is 1 and the albedo is largest.
     Rgb sigma_s() const { return albedo * sigma_t; }
 };
 
 inline constexpr int vacuum = -1;  ///< medium index of empty space
-inline constexpr int none = -1;    ///< "no such thing" for every other index
-
 struct Bsdf {
     enum class Type { null, diffuse, dielectric, conductor };
     std::string name;
@@ -111,6 +126,7 @@ struct Camera {
 struct Scene {
     std::string file;
     std::uint64_t hash = 0;           ///< of the scene file's bytes, of every file that it names, and of the -D definitions
+    std::vector<Volume> volumes;      ///< that media refer to
     std::vector<Medium> media;
     std::vector<Bsdf> bsdfs;
     std::vector<Shape> shapes;

@@ -24,6 +24,12 @@ typedef struct {
     mask floored;       ///< the pair all but meets: the floor on its distance was active; its weight is finite but unbounded
 } Connection;
 
+/// Where a connection runs and what the choice is worth: distances along light and eye segment, 1 / (w^2 pdf).
+typedef struct {
+    real v, u, weight;
+    mask floored;  ///< the floor on the pair's distance was active (eq. 7)
+} Places;
+
 /// A medium per lane.
 typedef struct {
     real3 sigma_t, sigma_s;
@@ -75,25 +81,42 @@ PURE AlongLight along_light(VirtualRayLight light, MediumRecord medium, real v)
     return along;
 }
 
-/// Marginal over the light, conditional over the eye segment, everything but the transmittance of the connection (kernels/README.md).
-PURE Connection connect_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, Random2 xi)
+PURE real3 light_origin(VirtualRayLight light) { return make_real3((real)light.origin_x, (real)light.origin_y, (real)light.origin_z); }
+PURE real3 light_direction(VirtualRayLight light) { return make_real3((real)light.direction_x, (real)light.direction_y, (real)light.direction_z); }
+
+// An eye segment's connection in three steps. Each is short enough for a processor to overlap it with the same step of the next pair, which all three
+// together are not; so the stages take a batch of pairs through one step before the next (kernels/stages/connection.h).
+
+/// Step 1, the marginal: where on the light.
+PURE RodSample place_on_light(EyeSegmentLanes eye, VirtualRayLight light, real xi)
 {
-    real3 start = make_real3((real)light.origin_x, (real)light.origin_y, (real)light.origin_z);
-    real3 b = make_real3((real)light.direction_x, (real)light.direction_y, (real)light.direction_z);
-    real3 q = sub3(start, eye.origin);
-    RodSample rod = sample_rod(q, eye.direction, b, (real)light.length, xi.first);
-    real3 p = along3(q, rod.v, b);
-    PhaseWarp warp = {xi.second, R(1.0)};
+    return sample_rod(sub3(light_origin(light), eye.origin), eye.direction, light_direction(light), (real)light.length, xi);
+}
+
+/// Step 2, the conditional: where on the eye segment, and the weight of both choices.
+PURE Places place_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, RodSample rod, real xi)
+{
+    real3 b = light_direction(light), p = along3(sub3(light_origin(light), eye.origin), rod.v, b);
+    PhaseWarp warp = {xi, R(1.0)};
     if (ANISOTROPIC) {
-        if (SAMPLER == SAMPLER_PAPER) warp = sample_phase_product(p, eye.direction, eye.length, b, eye_medium.g, (real)medium.g, xi.second);
+        if (SAMPLER == SAMPLER_PAPER) warp = sample_phase_product(p, eye.direction, eye.length, b, eye_medium.g, (real)medium.g, xi);
     }
     AngleSample angle = sample_equiangular(p, eye.direction, eye.length, warp.x);
-    real weight = pair_weight(rod, angle) / warp.density;
+    Places places;
+    places.v = rod.v, places.u = angle.u;
+    places.weight = pair_weight(rod, angle) / warp.density;
+    places.floored = rod.floor_ratio > R(1.0);
+    return places;
+}
 
-    real3 d = along3(p, -angle.u, eye.direction);                 // from the eye segment to the light
+/// Step 3: everything but the transmittance of the connection (kernels/README.md).
+PURE Connection connect_segment_at(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, Places at)
+{
+    real3 b = light_direction(light), q = sub3(light_origin(light), eye.origin), p = along3(q, at.v, b);
+    real3 d = along3(p, -at.u, eye.direction);                    // from the eye segment to the light
     Connection c;
-    c.floored = rod.floor_ratio > R(1.0);
-    c.from = along3(eye.origin, angle.u, eye.direction);
+    c.floored = at.floored;
+    c.from = along3(eye.origin, at.u, eye.direction);
     c.to = add3(c.from, d);
     c.length = length3(d);
     real phase = phase_isotropic() * phase_isotropic();
@@ -102,23 +125,32 @@ PURE Connection connect_segment(EyeSegmentLanes eye, MediumLanes eye_medium, Vir
         phase = phase_henyey_greenstein(b, towards_eye, (real)medium.g) *
                 phase_henyey_greenstein(towards_eye, scale3(eye.direction, R(-1.0)), eye_medium.g);
     }
-    AlongLight along = along_light(light, medium, rod.v);
-    real3 depth = make_real3(fma(eye_medium.sigma_t.x, angle.u, along.depth.x), fma(eye_medium.sigma_t.y, angle.u, along.depth.y),
-                             fma(eye_medium.sigma_t.z, angle.u, along.depth.z));
+    AlongLight along = along_light(light, medium, at.v);
+    real3 depth = make_real3(fma(eye_medium.sigma_t.x, at.u, along.depth.x), fma(eye_medium.sigma_t.y, at.u, along.depth.y),
+                             fma(eye_medium.sigma_t.z, at.u, along.depth.z));
     real3 scattering = mul3(eye_medium.sigma_s, make_real3((real)(medium.sigma_s_r * light.flux_r), (real)(medium.sigma_s_g * light.flux_g),
                                                            (real)(medium.sigma_s_b * light.flux_b)));
-    c.radiance = scale3(mul3(mul3(scattering, eye.throughput), transmittance3(depth)), weight * phase / along.divisor);
+    c.radiance = scale3(mul3(mul3(scattering, eye.throughput), transmittance3(depth)), at.weight * phase / along.divisor);
     return c;
 }
 
-/// The same for a point on a diffuse surface: cosine-weighted density over the light in closed form (kernels/README.md).
-PURE Connection connect_point(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, Random2 xi)
+/// The three steps for one pair.
+PURE Connection connect_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, Random2 xi)
 {
-    real3 start = make_real3((real)light.origin_x, (real)light.origin_y, (real)light.origin_z);
-    real3 b = make_real3((real)light.direction_x, (real)light.direction_y, (real)light.direction_z);
-    real3 p = sub3(start, eye.position);
-    SurfaceRodSample rod = sample_surface_rod(p, b, (real)light.length, eye.normal, xi.first);
-    real3 d = along3(p, rod.v, b);
+    RodSample rod = place_on_light(eye, light, xi.first);
+    return connect_segment_at(eye, eye_medium, light, medium, place_on_segment(eye, eye_medium, light, medium, rod, xi.second));
+}
+
+/// A point on a diffuse surface, in two steps. The first: cosine-weighted density over the light in closed form (kernels/README.md).
+PURE SurfaceRodSample place_on_light_from_point(EyePointLanes eye, VirtualRayLight light, real xi)
+{
+    return sample_surface_rod(sub3(light_origin(light), eye.position), light_direction(light), (real)light.length, eye.normal, xi);
+}
+
+/// The second: everything but the transmittance of the connection.
+PURE Connection connect_point_at(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, SurfaceRodSample rod)
+{
+    real3 b = light_direction(light), d = along3(sub3(light_origin(light), eye.position), rod.v, b);
     Connection c;
     c.floored = rod.v < R(0.0);                                   // never: this density has no floor
     c.from = eye.position;
@@ -131,6 +163,12 @@ PURE Connection connect_point(EyePointLanes eye, VirtualRayLight light, MediumRe
     real3 scattering = make_real3((real)(medium.sigma_s_r * light.flux_r), (real)(medium.sigma_s_g * light.flux_g), (real)(medium.sigma_s_b * light.flux_b));
     c.radiance = scale3(mul3(mul3(scattering, eye.throughput), transmittance3(along.depth)), weight * phase / along.divisor);
     return c;
+}
+
+/// The two steps for one pair.
+PURE Connection connect_point(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, Random2 xi)
+{
+    return connect_point_at(eye, light, medium, place_on_light_from_point(eye, light, xi.first));
 }
 
 #endif

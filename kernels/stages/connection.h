@@ -18,14 +18,6 @@ static inline real chord(__global const PlaneRecord* planes, ContainerRecord con
     return fmax(leave - enter, R(0.0)) * length;
 }
 
-/// Where, in whose media, a stage works: what all of them take besides the eyes and the lights.
-typedef struct {
-    __global const MediumRecord* media;
-    __global const ContainerRecord* containers;
-    __global const PlaneRecord* planes;
-    uint container_count;
-} Surroundings;
-
 /// The planes of the only container that some eye of the group is outside of, with the distance of each eye beyond them. Only they can
 /// cut a connection to a light, which lies inside.
 typedef struct {
@@ -83,13 +75,36 @@ static inline real3 leg_transmittance(const FacingPlanes* facing, Surroundings s
     return transmittance3(depth);
 }
 
+/// Pairs that are taken through one step together: the steps of one pair depend on each other, the same step of several pairs does not, and a processor
+/// that executes out of order fills the waits of one with the others (bench: 1.4 times the pairs per second of one pair after another). Devices that hide
+/// waits by threads take one at a time.
+enum { PAIR_BATCH = LANES == 1 ? 1 : 8 };
+
+static inline MediumRecord medium_of(Surroundings s, Light light) { return s.media[MANY_MEDIA ? light.medium : 0u]; }
+
+/// Where `count` <= PAIR_BATCH connections run, of the pairs with the numbers counter, counter + 1, ...: number / samples is the light.
+static inline void place_pairs(OnBoth* places, Eye eye, __global const Light* lights, Surroundings s, uint counter, uint count, uint samples)
+{
+    OnLight on_light[PAIR_BATCH];
+    real second[PAIR_BATCH];
+    for (uint i = 0; i < count; ++i) {
+        Random2 xi = random2(eye.key, counter + i);
+        on_light[i] = place_light(eye, lights[(counter + i) / samples], xi.first);
+        second[i] = xi.second;
+    }
+    for (uint i = 0; i < count; ++i) {
+        Light light = lights[(counter + i) / samples];
+        places[i] = place_eye(eye, light, medium_of(s, light), on_light[i], second[i]);
+    }
+}
+
 /// One sample of one light for LANES eyes, with everything but visibility. Radiance that is not finite is counted in the ledger (0: how many, 1 and 2: the
 /// first eye and counter) and taken out of the sum; pairs under the floor are counted (3) and stay.
-static inline Connection connect_counted(Eye eye, const FacingPlanes* facing, Light light, Surroundings s, uint vertex_limit, uint counter,
+static inline Connection connect_counted(Eye eye, const FacingPlanes* facing, Light light, Surroundings s, OnBoth at, uint vertex_limit, uint counter,
                                          __global uint* ledger, uint group)
 {
-    MediumRecord medium = s.media[MANY_MEDIA ? light.medium : 0u];
-    Connection c = connect_eye(eye, light, medium, random2(eye.key, counter));
+    MediumRecord medium = medium_of(s, light);
+    Connection c = connect_eye(eye, light, medium, at);
     c.radiance = mul3(c.radiance, leg_transmittance(facing, s, medium, c));
     if (DEPTH_LIMIT) {
         mask allowed = to_mask(eye.depth + light.depth + 2u <= vertex_limit);

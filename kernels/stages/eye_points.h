@@ -8,7 +8,7 @@ typedef struct {
     bits key, depth, medium_index;
 } Eye;
 
-static inline Eye load_eye(__global const EyeRecord* eyes, uint group, __global const MediumRecord* media)
+static inline Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundings s)
 {
 #define FIELD(name) load_field(&eyes->name, sizeof(EyeRecord) / 4, group)
 #define FIELD_BITS(name) load_field_bits(&eyes->name, sizeof(EyeRecord) / 4, group)
@@ -23,10 +23,11 @@ static inline Eye load_eye(__global const EyeRecord* eyes, uint group, __global 
     return eye;
 }
 
-static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, Random2 xi)
-{
-    return connect_point(eye.geometry, light, medium, xi);
-}
+typedef SurfaceRodSample OnLight;
+typedef SurfaceRodSample OnBoth;
+static inline OnLight place_light(Eye eye, Light light, real xi) { return place_on_light_from_point(eye.geometry, light, xi); }
+static inline OnBoth place_eye(Eye eye, Light light, MediumRecord medium, OnLight on_light, real xi) { return on_light; }
+static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, OnBoth at) { return connect_point_at(eye.geometry, light, medium, at); }
 
 /// Where its connections start.
 static inline real3 eye_position(Eye eye) { return eye.geometry.position; }

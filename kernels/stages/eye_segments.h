@@ -9,7 +9,7 @@ typedef struct {
     bits key, depth, medium_index;
 } Eye;
 
-static inline Eye load_eye(__global const EyeRecord* eyes, uint group, __global const MediumRecord* media)
+static inline Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundings s)
 {
 #define FIELD(name) load_field(&eyes->name, sizeof(EyeRecord) / 4, group)
 #define FIELD_BITS(name) load_field_bits(&eyes->name, sizeof(EyeRecord) / 4, group)
@@ -21,13 +21,20 @@ static inline Eye load_eye(__global const EyeRecord* eyes, uint group, __global 
     eye.key = FIELD_BITS(key), eye.depth = FIELD_BITS(depth), eye.medium_index = FIELD_BITS(medium);
 #undef FIELD
 #undef FIELD_BITS
-    eye.medium = load_media(media, eye.medium_index);
+    eye.medium = load_media(s.media, eye.medium_index);
     return eye;
 }
 
-static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, Random2 xi)
+typedef RodSample OnLight;
+typedef Places OnBoth;
+static inline OnLight place_light(Eye eye, Light light, real xi) { return place_on_light(eye.geometry, light, xi); }
+static inline OnBoth place_eye(Eye eye, Light light, MediumRecord medium, OnLight on_light, real xi)
 {
-    return connect_segment(eye.geometry, eye.medium, light, medium, xi);
+    return place_on_segment(eye.geometry, eye.medium, light, medium, on_light, xi);
+}
+static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, OnBoth at)
+{
+    return connect_segment_at(eye.geometry, eye.medium, light, medium, at);
 }
 
 /// Where its connections start: all of a segment is inside the container whose medium it is in.

@@ -53,7 +53,7 @@ RandomPairs random_pairs(const PairWishes& wishes, bool container)
     std::mt19937 engine(wishes.seed);
     std::uniform_real_distribution<float> uniform(-1, 1);
     const float tint = wishes.coloured ? .5f : 0;
-    pairs.tables.media.push_back({1, 1 + tint, 1 + 2 * tint, static_cast<float>(wishes.g), .8f, .7f, .6f, 0});
+    pairs.tables.media.push_back({1, 1 + tint, 1 + 2 * tint, static_cast<float>(wishes.g), .8f, .7f, .6f, 0, 0, NO_GRID, NO_GRID, 0});
     if (container) add_container(pairs.tables);
     for (std::uint32_t i = 0; i < wishes.eyes; ++i) {
         const glm::vec3 d = random_direction(engine), o = .45f * glm::vec3(uniform(engine), uniform(engine), uniform(engine)), n = random_direction(engine);

@@ -44,7 +44,7 @@ Light light_of(const Pair& p)
 MediumRecord medium_of(const Pair& p)
 {
     const auto f = [](double x) { return static_cast<float>(x); };
-    return {f(p.sigma_t.x), f(p.sigma_t.y), f(p.sigma_t.z), f(p.g), f(p.sigma_s.x), f(p.sigma_s.y), f(p.sigma_s.z), 0};
+    return {f(p.sigma_t.x), f(p.sigma_t.y), f(p.sigma_t.z), f(p.g), f(p.sigma_s.x), f(p.sigma_s.y), f(p.sigma_s.z), 0, 0, NO_GRID, NO_GRID, 0};
 }
 
 /// Both precisions under one name.
