@@ -63,6 +63,15 @@ double parse_number(std::string_view option, const std::string& text, double low
     return value;
 }
 
+double parse_share(std::string_view option, const std::string& text)
+{
+    const bool percent = !text.empty() && text.back() == '%';
+    double value = 0;
+    if (!whole(std::string_view(text).substr(0, text.size() - percent), value) || !(value >= 0 && value < (percent ? 100 : 1)))
+        refuse(option, text, "must be a share such as .01 or 1%, at least 0 and less than 1");
+    return percent ? value / 100 : value;
+}
+
 double parse_duration(std::string_view option, const std::string& text)
 {
     constexpr double year = 365. * 24 * 3600;

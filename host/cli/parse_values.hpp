@@ -16,6 +16,9 @@ std::int64_t parse_integer(std::string_view option, const std::string& text, std
 std::uint64_t parse_unsigned(std::string_view option, const std::string& text);
 double parse_number(std::string_view option, const std::string& text, double low, double high);
 
+/// "1%" or ".01": at least 0 and less than 1.
+double parse_share(std::string_view option, const std::string& text);
+
 /// "60", "60s", "2m", "1.5h" in seconds, more than 0 and at most a year.
 double parse_duration(std::string_view option, const std::string& text);
 

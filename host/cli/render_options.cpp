@@ -56,6 +56,8 @@ void add_transport(CLI::App& app, RenderSettings& settings, LayerSet& layers)
         settings.sampler = samplers[parse_choice("--sampler", text, {"auto", "paper-isotropic", "paper"})];
     });
     add(app, "--samples", "N", "samples of every pair of light and eye per pass (1)", [&](const auto& text) { settings.samples_per_pair = integer("--samples", text, 1, 256); });
+    add(app, "--skip-thin", "SHARE", "leave media_to_media out if at most this share of what media scatter is scattered there again: .01 or 1% (never)",
+        [&](const auto& text) { settings.skip_thin = parse_share("--skip-thin", text); });
     auto* longer = app.add_flag_callback(
         "--long", [&] { settings.segment_length = SegmentLength::long_; }, "virtual ray lights reach the next surface (default)");
     app.add_flag_callback(

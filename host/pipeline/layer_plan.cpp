@@ -1,6 +1,10 @@
 #include "pipeline/layer_plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "scene/thin_media.hpp"
 
 namespace tyndall {
 namespace {
@@ -20,6 +24,15 @@ std::string missing_for(Layer layer, const Scene& scene, const SceneFeatures& fe
     if (needs_surfaces && !features.receiving_surfaces) return "no surface of the scene reflects diffusely";
     if (layer == Layer::surface_to_media && !features.receiving_surfaces && !features.specular_surfaces) return "no surface of the scene reflects";
     return {};
+}
+
+/// Leaves media_to_media out of a scene whose media are thin enough for the setting.
+void skip_if_thin(const Scene& scene, double allowed, LayerReport& report)
+{
+    const ScatteredAgain again = scattered_again(scene);
+    if (again.share > allowed) return;
+    report.why = fmt::format("optically thin: at most {:.2g} % of the light that media scatter is scattered by them again (allowed: {:g} %)", 100 * again.share, 100 * allowed);
+    report.unbiased = false, report.left_out = again.share;
 }
 
 std::string technique_for(Layer layer, Method method)
@@ -53,6 +66,7 @@ LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const R
         const Layer layer = static_cast<Layer>(l);
         LayerReport report{.layer = std::string(name(layer)), .technique = technique_for(layer, settings.method)};
         report.why = settings.layers.contains(layer) ? missing_for(layer, scene, features) : "turned off";
+        if (report.why.empty() && layer == Layer::media_to_media && settings.skip_thin > 0) skip_if_thin(scene, settings.skip_thin, report);
         report.skipped = !report.why.empty();
         if (report.skipped) report.technique = "skipped";
         plan.reports.push_back(report);

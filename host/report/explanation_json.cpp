@@ -23,7 +23,7 @@ Json layers_of(const Explanation& e)
 {
     Json list = Json::array();
     for (const LayerReport& layer : e.layers)
-        list.push_back({{"layer", layer.layer}, {"technique", layer.technique}, {"skipped", layer.skipped}, {"why", layer.why}});
+        list.push_back({{"layer", layer.layer}, {"technique", layer.technique}, {"skipped", layer.skipped}, {"why", layer.why}, {"unbiased", layer.unbiased}});
     return list;
 }
 

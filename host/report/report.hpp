@@ -20,6 +20,7 @@ struct LayerReport {
     bool skipped = false;
     std::string why;  ///< for a skipped layer: what the scene lacks, or that it was turned off
     bool unbiased = true;
+    double left_out = 0;  ///< for a layer that the scene has and the settings allow to skip: a bound on its share of the light that media scatter
 };
 
 /// A line of the list of what a scene may call for (host/scene/scene_features.hpp).

@@ -55,7 +55,8 @@ Json layers_of(const Report& report)
                           {"technique", layer.technique},
                           {"skipped", layer.skipped},
                           {"why", layer.why},
-                          {"unbiased", layer.unbiased}});
+                          {"unbiased", layer.unbiased},
+                          {"left_out", layer.left_out > 0 ? number(layer.left_out) : Json(nullptr)}});
     return layers;
 }
 

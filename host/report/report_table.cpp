@@ -78,7 +78,7 @@ void add_savings(Text& table, const Report& report)
 void add_layers(Text& table, const Report& report)
 {
     for (const auto& layer : report.layers) {
-        const auto what = layer.skipped ? "skipped: " + terminal_safe(layer.why) : layer.technique + (layer.unbiased ? "" : " (biased)");
+        const auto what = layer.skipped ? "skipped: " + terminal_safe(layer.why) + (layer.unbiased ? "" : "; the image is too dark by that much") : layer.technique + (layer.unbiased ? "" : " (biased)");
         fmt::format_to(std::back_inserter(table), "  {:<26} {}\n", layer.layer, what);
     }
 }

@@ -4,6 +4,7 @@
 
 #include "scene/scene_warnings.hpp"
 #include "scene/text.hpp"
+#include "scene/thin_media.hpp"
 
 namespace tyndall {
 namespace {
@@ -55,6 +56,16 @@ Found unbounded_media(const Scene& scene)
     return Cause{named("medium", m.name, ": no boundary ends it, so it fills all space"), m.where};
 }
 
+/// Media so thin that what they scatter twice in a row is below a hundredth of what they scatter.
+Found thin_media(const Scene& scene)
+{
+    constexpr double thin = .01;
+    const ScatteredAgain again = scattered_again(scene);
+    if (again.where.line == 0 && again.why.empty()) return std::nullopt;
+    if (again.share > thin) return std::nullopt;
+    return Cause{fmt::format("{}, so at most {:.2g} % of what media scatter is scattered there again", again.why, 100 * again.share), again.where};
+}
+
 Found convex_containers(const Scene& scene)
 {
     const ContainerSearch search = find_containers(scene);
@@ -101,6 +112,7 @@ const std::vector<SceneFact>& scene_facts()
         {{"SCATTERING_MEDIA", 0, "a medium scatters", "virtual lights, eye segments, kernels; media only dim what is behind them"}, scattering_media},
         {{"ONLY_ABSORBING_MEDIA", 0, "a medium absorbs and does not scatter", ""}, only_absorbing_media},
         {{"UNBOUNDED_MEDIA", 0, "a medium has no boundary", ""}, unbounded_media},
+        {{"OPTICALLY_THIN", 0, "media scatter less than 1 % of their light twice in a row", ""}, thin_media},
         {{"CONVEX_CONTAINERS", 0, "media fill disjoint convex polyhedra", ""}, convex_containers},
         {{"LIGHTS_IN_MEDIA", 0, "a light stands inside a medium", ""}, lights_in_media},
         {{"RECEIVING_SURFACES", 0, "a surface reflects diffusely", "eye points, media_to_surface and its kernels, light between surfaces"}, receiving_surfaces},

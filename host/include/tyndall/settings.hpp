@@ -43,6 +43,7 @@ struct RenderSettings {
     int lanes = 0;                     ///< 1, 4, 8, 16; 0: chosen by fixed rule from the device
     std::uint32_t tile_pairs = 0;      ///< pairs per tile; 0: default. Never changes a byte
     int samples_per_pair = 1;
+    double skip_thin = 0;              ///< leave media_to_media out if at most this share of what media scatter is scattered there again (biased); 0: never
 };
 
 }  // namespace tyndall

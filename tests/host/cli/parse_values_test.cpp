@@ -31,6 +31,10 @@ TEST(ParseValues, NumbersAreFiniteAndNotOfAnotherLocale)
 
 TEST(ParseValues, DurationsHaveUnits)
 {
+    EXPECT_EQ(parse_share("--skip-thin", "1%"), .01);
+    EXPECT_EQ(parse_share("--skip-thin", ".01"), .01);
+    EXPECT_EQ(parse_share("--skip-thin", "0"), 0);
+    for (const char* text : {"", "%", "1", "100%", "-1%", "-.1", "nan", "1 %", "1%%", "inf"}) EXPECT_THROW(parse_share("--skip-thin", text), UsageError) << text;
     EXPECT_EQ(parse_duration("--time", "60"), 60);
     EXPECT_EQ(parse_duration("--time", "60s"), 60);
     EXPECT_EQ(parse_duration("--time", "2m"), 120);
