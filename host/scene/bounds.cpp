@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "scene/scene.hpp"
 #include "scene/transforms.hpp"
 
@@ -12,6 +14,13 @@ void grow_around(Bounds& bounds, const Vec3& centre, const Vec3& by)
 {
     bounds.grow(centre - by);
     bounds.grow(centre + by);
+}
+
+/// May there be something of the medium where no shape reaches?
+bool beyond_shapes(const Scene& scene, int medium)
+{
+    return scene.camera.medium == medium || std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const Shape& s) { return s.exterior == medium; }) ||
+           std::any_of(scene.emitters.begin(), scene.emitters.end(), [&](const Emitter& e) { return e.medium == medium; });
 }
 
 }  // namespace
@@ -38,6 +47,13 @@ Bounds bounds_of(const Shape& shape)
     return bounds;
 }
 
+Bounds bounds_of(const Volume& volume)
+{
+    Bounds bounds;
+    for (int corner = 0; corner < 8; ++corner) bounds.grow(transform_point(volume.to_world, Vec3(corner & 1, corner >> 1 & 1, corner >> 2 & 1)));
+    return bounds;
+}
+
 Bounds bounds_of(const Scene& scene)
 {
     Bounds bounds;
@@ -50,6 +66,11 @@ Bounds bounds_of(const Scene& scene)
     bounds.grow(transform_point(scene.camera.to_world, Vec3(0)));
     for (const Emitter& emitter : scene.emitters)
         if (emitter.type == Emitter::Type::point || emitter.type == Emitter::Type::spot) bounds.grow(emitter.position);
+    for (std::size_t i = 0; i < scene.media.size(); ++i) {
+        if (scene.media[i].density == none || !beyond_shapes(scene, static_cast<int>(i))) continue;
+        const Bounds grid = bounds_of(scene.volumes[static_cast<std::size_t>(scene.media[i].density)]);
+        bounds.grow(grid.low), bounds.grow(grid.high);
+    }
     return bounds;
 }
 

@@ -23,22 +23,28 @@ PhaseFunction read_phase(SceneBuilder& builder, const XmlElement& element, const
     return phase;
 }
 
+void read_homogeneous(Properties& properties, Medium& medium)
+{
+    const double scale = properties.real("scale", 1, Range::not_negative());
+    medium.sigma_t = scale * properties.colour("sigma_t", Rgb(1), Range::not_negative());
+    medium.albedo = properties.colour("albedo", Rgb(.75), Range::between(0, 1));
+}
+
 }  // namespace
 
 int read_medium(SceneBuilder& builder, const XmlElement& element)
 {
     if (const auto known = builder.media.find(&element); known != builder.media.end()) return known->second;
     Properties properties(element, builder.document);
-    if (properties.type() != "homogeneous") properties.refuse_type({"homogeneous"});
+    if (properties.type() != "homogeneous" && properties.type() != "heterogeneous") properties.refuse_type({"homogeneous", "heterogeneous"});
     for (const char* preset : {"material", "preset"})
         if (properties.has(preset)) properties.refuse_parameter(preset, "presets of materials are not supported; give sigma_t and albedo");
     for (const char* old : {"sigma_s", "sigma_a"})
         if (properties.has(old))
             properties.refuse_parameter(old, fmt::format("{} is not supported; Mitsuba 3 takes sigma_t and albedo", old));
-    const double scale = properties.real("scale", 1, Range::not_negative());
     Medium medium{.name = properties.id_or_type(), .where = properties.where()};
-    medium.sigma_t = scale * properties.colour("sigma_t", Rgb(1), Range::not_negative());
-    medium.albedo = properties.colour("albedo", Rgb(.75), Range::between(0, 1));
+    if (properties.type() == "heterogeneous") read_heterogeneous(builder, properties, medium);
+    else read_homogeneous(properties, medium);
     for (int c = 0; c < 3; ++c)
         if (!std::isfinite(medium.sigma_t[c])) properties.refuse_parameter("scale", "sigma_t x scale is too large");
     properties.boolean("sample_emitters", true);  // how Mitsuba's integrators sample: nothing that changes the image

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "scene/text.hpp"
 #include "scene/transforms.hpp"
+#include "scene/volume_values.hpp"
 
 namespace tyndall {
 
@@ -43,11 +45,14 @@ void move_emitter(Emitter& emitter, const Motion& motion)
             refuse(emitter.where, fmt::format("emitter {}: the intensity is too large for a scene this small", in_quotes(emitter.name)));
 }
 
-void move_medium(Medium& medium, const Motion& motion)
+/// `scene`: for the volumes. The extinction of a grid must stay finite in float, where it is multiplied by voxels.
+void move_medium(const Scene& scene, Medium& medium, const Motion& motion)
 {
     medium.sigma_t = medium.sigma_t * motion.unit;
+    const double most = medium.density == none ? std::numeric_limits<double>::max() : std::numeric_limits<float>::max();
+    const Rgb largest = glm::max(medium.sigma_t, largest_extinction(scene, medium));
     for (int c = 0; c < 3; ++c)
-        if (!std::isfinite(medium.sigma_t[c]))
+        if (!(largest[c] <= most))
             refuse(medium.where, fmt::format("medium {}: sigma_t is too large for a scene this large", in_quotes(medium.name)));
 }
 
@@ -63,7 +68,8 @@ void to_render_space(Scene& scene)
     const Motion motion{.centre = bounds.centre(), .unit = radius > 0 ? unit_for(radius) : 1};
     for (Shape& shape : scene.shapes) move_shape(shape, motion);
     for (Emitter& emitter : scene.emitters) move_emitter(emitter, motion);
-    for (Medium& medium : scene.media) move_medium(medium, motion);
+    for (Volume& volume : scene.volumes) volume.to_world = motion.placed(volume.to_world);
+    for (Medium& medium : scene.media) move_medium(scene, medium, motion);
     scene.camera.to_world[3] = glm::dvec4(motion.point(Vec3(scene.camera.to_world[3])), 1);
     scene.camera.near_clip /= motion.unit;
     scene.camera.far_clip /= motion.unit;

@@ -28,9 +28,9 @@ struct PhaseFunction {
 };
 
 /// A box of voxels. Values are given at the centres of the voxels, trilinear between them, those of the outermost centres up to the faces of the box, and 0
-/// outside of it.
+/// outside of it. (An albedo has no outside: the loader lets its grid reach over the whole box of the medium's density.)
 struct Volume {
-    std::string name;
+    std::string name;           ///< of its file
     int size_x = 1, size_y = 1, size_z = 1;
     int channels = 1;           ///< 1 or 3 (r, g, b)
     std::vector<float> values;  ///< [channel][z][y][x]; finite, >= 0
@@ -139,7 +139,7 @@ struct Scene {
     std::vector<std::string> warnings;  ///< each with file:line:column and what to do
 };
 
-/// Axis-aligned bounds of all shapes, camera and positional emitters in render space.
+/// Axis-aligned bounds in render space; of a scene: of all shapes, camera, positional emitters, and grids whose medium no shape holds.
 struct Bounds {
     Vec3 low{1e300}, high{-1e300};
     void grow(const Vec3& p) { low = glm::min(low, p), high = glm::max(high, p); }
@@ -149,5 +149,6 @@ struct Bounds {
 };
 Bounds bounds_of(const Scene& scene);
 Bounds bounds_of(const Shape& shape);
+Bounds bounds_of(const Volume& volume);
 
 }  // namespace tyndall

@@ -4,6 +4,7 @@
 
 #include "scene/properties.hpp"
 #include "scene/scene_files.hpp"
+#include "scene/volume_files.hpp"
 
 namespace tyndall {
 
@@ -12,6 +13,7 @@ struct SceneBuilder {
     SceneFiles& files;
     Scene scene{};
     std::map<const XmlElement*, int> media{}, bsdfs{};  ///< index of what was read from an element
+    std::map<std::filesystem::path, VolumeFile> volume_files{};  ///< every file of voxels is read once
 
     /// Adds "file:line:column: message" to the scene's warnings.
     void warn(const SourceLocation& where, const std::string& message) { scene.warnings.push_back(to_string(where) + ": " + message); }
@@ -19,6 +21,9 @@ struct SceneBuilder {
 
 /// Index of the medium in scene.media; read at the first call. `phase` functions are read in media.cpp too.
 int read_medium(SceneBuilder& builder, const XmlElement& element);
+
+/// What type="heterogeneous" adds to a medium: extinction, albedo and their volumes.
+void read_heterogeneous(SceneBuilder& builder, Properties& properties, Medium& medium);
 
 /// The medium among the nested objects: at most one, unless roles tell them apart. vacuum if there is none.
 int read_only_medium(SceneBuilder& builder, Properties& properties);

@@ -42,11 +42,25 @@ private:
 std::string title(const Medium& medium) { return "medium " + in_quotes(medium.name); }
 std::string title(const Shape& shape) { return "shape " + in_quotes(shape.name); }
 
+void note_volumes(const Scene& scene, const Medium& m, FeatureNotes& notes)
+{
+    for (const auto& [what, index] : {std::pair{"sigma_t", m.density}, std::pair{"albedo", m.albedo_volume}}) {
+        if (index == none) continue;
+        const Volume& volume = scene.volumes[static_cast<std::size_t>(index)];
+        const Cause cause{fmt::format("{}: {} from the grid {}", title(m), what, in_quotes(volume.name)), volume.where};
+        notes.need(feature_bit::heterogeneous, cause);
+        if (index != m.density || volume.channels == 1) continue;
+        notes.need(feature_bit::coloured_grids, cause);
+        notes.need(feature_bit::coloured, cause);
+    }
+}
+
 void note_media(const Scene& scene, FeatureNotes& notes)
 {
     for (const Medium& m : scene.media) {
         if (m.phase.type != PhaseFunction::Type::isotropic && m.phase.g != 0)
             notes.need(feature_bit::anisotropic, {fmt::format("{}: Henyey-Greenstein, g = {:g}", title(m), m.phase.g), m.where});
+        note_volumes(scene, m, notes);
         if (m.sigma_t.r != m.sigma_t.g || m.sigma_t.r != m.sigma_t.b)
             notes.need(feature_bit::coloured, {title(m) + ": sigma_t differs between channels", m.where});
     }
@@ -125,6 +139,8 @@ std::string_view saving_of(std::uint32_t bit)
         case feature_bit::nonconvex_media: return "walking connections through boundaries on the host";
         case feature_bit::short_lights: return "the survival probability of short lights";
         case feature_bit::depth_limit: return "counting vertices";
+        case feature_bit::heterogeneous: return "looking up voxels: extinction and albedo are constants of a medium";
+        case feature_bit::coloured_grids: return "two of three look-ups of extinction";
     }
     return {};
 }

@@ -26,11 +26,13 @@ public:
     /// or larger.
     Content read(const std::string& name, const SourceLocation& where, std::uintmax_t limit);
 
+    /// Canonical path of the file that `name` means. Throws SceneError at `where` if it is missing or outside.
+    std::filesystem::path find(const std::string& name, const SourceLocation& where) const;
+
     /// The hash of everything read so far; the loader adds what is not a file (text given in memory, definitions).
     SceneHash& hash() { return hash_; }
 
 private:
-    std::filesystem::path find(const std::string& name, const SourceLocation& where) const;
     bool inside(const std::filesystem::path& canonical) const;
 
     std::filesystem::path folder_;

@@ -12,7 +12,9 @@
     F(BOUNDARIES, 4, "a connection may cross the boundary of a medium")                                         \
     F(NONCONVEX_MEDIA, 5, "boundaries are not disjoint convex polyhedra: crossing connections are walked on the host") \
     F(SHORT_LIGHTS, 6, "virtual ray lights end at their sampled collision")                                     \
-    F(DEPTH_LIMIT, 7, "paths are limited in length")
+    F(DEPTH_LIMIT, 7, "paths are limited in length")                                                           \
+    F(HETEROGENEOUS, 9, "a medium's extinction or albedo comes from a grid")                                   \
+    F(COLOURED_GRIDS, 10, "a grid of extinction has three channels")
 
 #ifndef FEATURES
 #define FEATURES 0xffffffffu

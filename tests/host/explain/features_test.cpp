@@ -57,6 +57,32 @@ std::vector<Row> scenes_of_media()
     };
 }
 
+/// A box of fog whose extinction and albedo come from grids; -1: from none. The grids stand in lines 7 and 8.
+Scene box_of_grids(int density_channels, int albedo_channels)
+{
+    Scene scene = scene_of({medium("fog"), lamp(), container("cube", "box", here)});
+    const auto add = [&](int channels, int line) {
+        if (channels < 0) return none;
+        scene.volumes.push_back({.name = "smoke.vol", .channels = channels, .values = std::vector<float>(static_cast<std::size_t>(channels), .5f), .where = {"scene.xml", line, 9}});
+        return static_cast<int>(scene.volumes.size()) - 1;
+    };
+    scene.media[0].density = add(density_channels, 7), scene.media[0].albedo_volume = add(albedo_channels, 8);
+    return scene;
+}
+
+std::vector<Row> scenes_of_grids()
+{
+    const std::set<std::string> box{"LIGHTS", "MEDIA", "SCATTERING_MEDIA", "CONVEX_CONTAINERS"};
+    return {
+        {"a grid of extinction", box_of_grids(1, -1), heterogeneous, heterogeneous | boundaries, box, {{"HETEROGENEOUS", 7}}},
+        {"grids of extinction and albedo", box_of_grids(1, 1), heterogeneous, heterogeneous | boundaries, box, {{"HETEROGENEOUS", 7}}},
+        {"a coloured albedo is no coloured extinction", box_of_grids(1, 3), heterogeneous, heterogeneous | boundaries, box, {{"HETEROGENEOUS", 7}}},
+        {"a grid of albedo alone", box_of_grids(-1, 1), heterogeneous, heterogeneous | boundaries, box, {{"HETEROGENEOUS", 8}}},
+        {"a coloured grid", box_of_grids(3, -1), heterogeneous | coloured_grids | coloured, heterogeneous | coloured_grids | coloured | boundaries, box,
+         {{"HETEROGENEOUS", 7}, {"COLOURED_GRIDS", 7}, {"COLOURED", 7}}},
+    };
+}
+
 std::vector<Row> scenes_of_surfaces()
 {
     const std::set<std::string> fog{"LIGHTS", "MEDIA", "SCATTERING_MEDIA", "UNBOUNDED_MEDIA", "LIGHTS_IN_MEDIA"};
@@ -102,6 +128,7 @@ void expect_row(const Row& row)
 
 TEST(Features, OfScenesWithoutAnythingOrFogAlone) { std::ranges::for_each(empty_and_plain_scenes(), expect_row); }
 TEST(Features, OfMediaAndTheirBoundaries) { std::ranges::for_each(scenes_of_media(), expect_row); }
+TEST(Features, OfGrids) { std::ranges::for_each(scenes_of_grids(), expect_row); }
 TEST(Features, OfSurfacesAmongMedia) { std::ranges::for_each(scenes_of_surfaces(), expect_row); }
 
 TEST(Features, SettingsCauseTheirs)
@@ -114,7 +141,7 @@ TEST(Features, SettingsCauseTheirs)
 
 TEST(Features, EveryBitHasOneCauseAndEveryFoundEffectAnElementOrASetting)
 {
-    for (const auto& rows : {empty_and_plain_scenes(), scenes_of_media(), scenes_of_surfaces()})
+    for (const auto& rows : {empty_and_plain_scenes(), scenes_of_media(), scenes_of_grids(), scenes_of_surfaces()})
         for (const Row& row : rows) {
             const SceneFeatures features = features_of(row.scene, true);
             std::uint32_t to_media = 0, to_surface = 0;

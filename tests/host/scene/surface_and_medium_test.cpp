@@ -98,8 +98,8 @@ TEST(Medium, WrongNamesAndTypesAreRefusedWithTheNearest)
     EXPECT_EQ(medium_fault("<volume name=\"sigma_t\" type=\"gridvolume\"/>")
                   .find("scene.xml:3:1: medium \"juice\": sigma_t as <volume type=\"gridvolume\"> is not supported"),
               0u);
-    EXPECT_EQ(fault_of_body("<medium type=\"heterogeneous\"/>"),
-              "scene.xml:2:1: medium type \"heterogeneous\" is not supported; supported: homogeneous");
+    EXPECT_EQ(fault_of_body("<medium type=\"layered\"/>"),
+              "scene.xml:2:1: medium type \"layered\" is not supported; supported: homogeneous, heterogeneous");
     EXPECT_EQ(fault_of_body("<medium id=\"a\"/>"), "scene.xml:2:1: <medium> needs the attribute \"type\"");
 }
 
