@@ -12,6 +12,7 @@
 #include "pipeline/render.hpp"
 #include "pipeline/savings.hpp"
 #include "scene_parts.hpp"
+#include "tests/support/feature_cover.hpp"
 
 namespace tyndall::test {
 namespace {
@@ -131,7 +132,7 @@ TEST(Explain, SavesWhatKernelsAreBuiltWithout)
     EXPECT_TRUE(saved(explained(box_of_fog())).contains("media_to_media without OCCLUDERS"));
     EXPECT_TRUE(saved(explained(box_of_fog())).contains("no surface of the scene reflects diffusely"));
     EXPECT_TRUE(explained(foggy_room(), {.method = Method::path}).savings.empty());
-    const Explanation general = explained(foggy_room(), {.features = 0xffu});
+    const Explanation general = explained(foggy_room(), {.features = every_feature});
     EXPECT_TRUE(general.savings.empty()) << general.savings[0].because;
 }
 
