@@ -38,6 +38,8 @@ std::string progress_text(const Progress& progress)
     if (progress.shadow_segments_per_second > 0)
         text += fmt::format(", {} shadow segments/s", readable_count(progress.shadow_segments_per_second));
     text += fmt::format(", error {}", readable_percent(progress.error));
+    if (progress.seconds_to_error > 0)
+        text += fmt::format(", {} in {}", readable_percent(progress.error_aimed_at), readable_seconds(progress.seconds_to_error));
     return text + fmt::format(", {} left", readable_seconds(progress.seconds_left));
 }
 
@@ -87,6 +89,8 @@ void ProgressView::show_json(const Progress& progress)
                                       {"seconds", number(progress.seconds)},
                                       {"seconds_left", number(progress.seconds_left, progress.seconds_left >= 0)},
                                       {"error", number(progress.error, progress.error >= 0)},
+                                      {"error_aimed_at", number(progress.error_aimed_at)},
+                                      {"seconds_to_error", number(progress.seconds_to_error, progress.seconds_to_error >= 0)},
                                       {"pairs_per_second", number(progress.pairs_per_second)},
                                       {"shadow_segments_per_second", number(progress.shadow_segments_per_second)}};
     fmt::print(stream_, "{}\n", json.dump());

@@ -40,9 +40,10 @@ void print_start(const Scene& scene, const RenderSettings& settings, ProgressSty
 {
     if (style != ProgressStyle::bar && style != ProgressStyle::plain) return;
     const auto passes = settings.passes > 0 ? fmt::format(", {} passes", settings.passes) : "";
+    const auto error = settings.target_error > 0 ? fmt::format(", to an error of {}", readable_percent(settings.target_error)) : "";
     const auto time = settings.seconds > 0 ? fmt::format(", at most {}", readable_seconds(settings.seconds)) : "";
-    fmt::print(stderr, "rendering {}: {} x {} pixels{}{}\n", terminal_safe(scene.file), scene.camera.crop_width, scene.camera.crop_height,
-               passes, time);
+    fmt::print(stderr, "rendering {}: {} x {} pixels{}{}{}\n", terminal_safe(scene.file), scene.camera.crop_width, scene.camera.crop_height,
+               passes, time, error);
 }
 
 RenderOutcome render_with_progress(const Scene& scene, const RenderSettings& settings, ProgressStyle style, const InterruptGuard& interrupt)
@@ -87,7 +88,7 @@ void print_outputs(const Report& report, ProgressStyle style)
 
 int run_render(RenderCommand command)
 {
-    if (command.settings.passes == 0 && command.settings.seconds == 0) command.settings.passes = default_passes;
+    if (command.settings.passes == 0 && command.settings.seconds == 0 && command.settings.target_error == 0) command.settings.passes = default_passes;
     const auto paths = plan_outputs(command.scene, command.output, command.report);
     Scene scene = load_scene(command.scene, command.load);
     print_warnings(scene.warnings);
@@ -102,7 +103,9 @@ int run_render(RenderCommand command)
     write_outputs(paths, outcome.film, scene.camera, {command.exposure, command.half, command.settings.layers, command.timestamps}, outcome.report);
     if (style != ProgressStyle::none) print_summary(outcome.report, scene);
     print_outputs(outcome.report, style);
-    return interrupt.signal() ? exit_after_signal + interrupt.signal() : static_cast<int>(ExitCode::ok);
+    if (interrupt.signal()) return exit_after_signal + interrupt.signal();
+    const bool missed = command.settings.target_error > 0 && outcome.report.stopped_by != "target error";
+    return static_cast<int>(missed ? ExitCode::target_not_reached : ExitCode::ok);
 }
 
 }  // namespace tyndall

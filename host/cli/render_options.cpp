@@ -23,10 +23,12 @@ int integer(const char* option, const std::string& text, int low, int high)
 
 void add_budget(CLI::App& app, RenderSettings& settings)
 {
-    add(app, "-p,--passes", "N", "stop after N passes (16, unless a time is given)",
+    add(app, "-p,--passes", "N", "stop after N passes (16, unless a time or a target error is given)",
         [&](const auto& text) { settings.passes = integer("--passes", text, 1, 1 << 30); });
     add(app, "-t,--time", "TIME", "stop before this wall-clock time: 60, 60s, 2m, 1.5h",
         [&](const auto& text) { settings.seconds = parse_duration("--time", text); });
+    add(app, "--target-error", "SHARE", "stop when the image's error is at most this with 95 % confidence: 1% or .01",
+        [&](const auto& text) { settings.target_error = parse_share("--target-error", text); });
     add(app, "--lights", "N", "virtual lights per pass, aimed at (chosen from image size and time)",
         [&](const auto& text) { settings.lights = static_cast<std::uint32_t>(parse_integer("--lights", text, 1, 1 << 26)); });
     add(app, "--seed", "N", "another seed, other noise (1)", [&](const auto& text) { settings.seed = parse_unsigned("--seed", text); });

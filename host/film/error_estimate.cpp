@@ -1,7 +1,10 @@
 #include "film/error_estimate.hpp"
 
+#include <boost/math/distributions/students_t.hpp>
+
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace tyndall {
 namespace {
@@ -57,6 +60,20 @@ double estimated_error(const Film& film)
     if (film.passes() < 2) return -1;
     const auto variance = [&](std::size_t i) { return film.variance_of_mean(i); };
     return std::sqrt(mean_of_terms(film.pixels(), variance, [&](std::size_t i) { return film.beauty(i); }));
+}
+
+double estimated_error(const Film& film, Layer layer)
+{
+    const double square = film.spread(layer).relative_mse();
+    return square < 0 ? -1 : std::sqrt(square);
+}
+
+double error_upper_bound(const Film& film)
+{
+    const double error = estimated_error(film), spread = film.spread().relative_standard_error();
+    if (film.passes() < pilot_passes || spread < 0) return std::numeric_limits<double>::infinity();
+    const boost::math::students_t student(static_cast<double>(film.spread().terms() - 1));
+    return error * std::exp(.5 * boost::math::quantile(student, .95) * spread);
 }
 
 }  // namespace tyndall

@@ -21,4 +21,14 @@ double expected_relative_mse(std::span<const Rgb> image, std::span<const Rgb> va
 /// sqrt(expected relMSE) of the film's beauty; negative below two passes: unknown.
 double estimated_error(const Film& film);
 
+/// The same of one layer, from the spread of its passes (film/pass_spread.hpp), relative to the layer itself.
+double estimated_error(const Film& film, Layer layer);
+
+/// What the error is below with a confidence of 95 % (one-sided): estimated_error x exp(t s / 2), s the relative standard error of relMSE between passes, t
+/// Student's quantile; on a logarithmic scale, because estimates of variance are skewed. Infinity below `pilot_passes`: fewer say too little of their own spread.
+double error_upper_bound(const Film& film);
+
+/// Passes before a target error may stop a render, so that luck does not.
+inline constexpr int pilot_passes = 8;
+
 }  // namespace tyndall

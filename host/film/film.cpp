@@ -52,12 +52,15 @@ void Film::add_layer(Layer layer, const std::vector<Rgb>& image, std::vector<Rgb
     const auto index = static_cast<std::size_t>(layer);
     sums_[index].prepare(pixels());
     if (options_.layer_variance) squares_[index].prepare(pixels());
+    const std::vector<Rgb> before = mean(layer);
+    std::vector<Rgb> values(image.size());
     for (std::size_t i = 0; i < image.size(); ++i) {
-        const Rgb value = finite_or_ledger(layer, i, image[i]);
+        const Rgb value = values[i] = finite_or_ledger(layer, i, image[i]);
         sums_[index].add(i, value);
         if (options_.layer_variance) squares_[index].add(i, value * value);
         beauty[i] += value;
     }
+    spreads_[index].add(values, before, passes_);
 }
 
 void Film::add_features(const PixelFeatures& features)
@@ -85,8 +88,13 @@ void Film::add_pass(const PassImage& image, const PixelFeatures* features)
 {
     assert(image.width == width_ && image.height == height_);
     std::vector<Rgb> beauty(pixels(), Rgb(0));
-    for (std::size_t l = 0; l < layer_count; ++l)
-        if (layers_.contains(static_cast<Layer>(l)) && !image.layers[l].empty()) add_layer(static_cast<Layer>(l), image.layers[l], beauty);
+    const std::vector<Rgb> before = this->beauty();
+    for (std::size_t l = 0; l < layer_count; ++l) {
+        if (!layers_.contains(static_cast<Layer>(l))) continue;
+        if (!image.layers[l].empty()) add_layer(static_cast<Layer>(l), image.layers[l], beauty);
+        else if (!sums_[l].empty()) spreads_[l].add(std::vector<Rgb>(pixels(), Rgb(0)), mean(static_cast<Layer>(l)), passes_);
+    }
+    beauty_spread_.add(beauty, before, passes_);
     beauty_squares_.prepare(pixels());
     for (std::size_t i = 0; i < pixels(); ++i) beauty_squares_.add(i, beauty[i] * beauty[i]);
     if (features) add_features(*features);

@@ -10,6 +10,7 @@
 
 #include "film/block_sum.hpp"
 #include "film/pass_image.hpp"
+#include "film/pass_spread.hpp"
 
 namespace tyndall {
 
@@ -65,6 +66,10 @@ public:
     /// The same of one layer; needs FilmOptions::layer_variance.
     std::vector<Rgb> variance_of_mean(Layer layer) const;
 
+    /// How far the passes' beauty, or one layer of it, lie from each other.
+    const PassSpread& spread() const { return beauty_spread_; }
+    const PassSpread& spread(Layer layer) const { return spreads_[static_cast<std::size_t>(layer)]; }
+
     /// Means of the features, if passes brought them.
     std::optional<PixelFeatures> features() const;
 
@@ -87,6 +92,8 @@ private:
     BlockSum<Rgb> beauty_squares_, albedo_;
     BlockSum<Vec3> normal_;
     BlockSum<double> depth_;
+    std::array<PassSpread, layer_count> spreads_;
+    PassSpread beauty_spread_;
     NotFiniteLedger ledger_;
 };
 

@@ -18,7 +18,8 @@ void require(bool holds, const std::string& sentence)
 void check_settings(const RenderSettings& s)
 {
     constexpr std::uint32_t most_lights = 1u << 24;
-    require(s.passes > 0 || s.seconds > 0, "nothing says when to stop: give passes or a time");
+    require(s.passes > 0 || s.seconds > 0 || s.target_error > 0, "nothing says when to stop: give passes, a time or a target error");
+    require(std::isfinite(s.target_error) && s.target_error >= 0, "the target error must be a finite number, not negative");
     require(s.passes >= 0, "passes = " + std::to_string(s.passes) + " must not be negative");
     require(std::isfinite(s.seconds) && s.seconds >= 0, "time must be a finite number of seconds, not negative");
     require(s.lights <= most_lights, "lights = " + std::to_string(s.lights) + " per pass is more than " + std::to_string(most_lights) + "; use more passes instead");

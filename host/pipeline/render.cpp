@@ -3,6 +3,7 @@
 #include <tbb/global_control.h>
 
 #include <chrono>
+#include <limits>
 #include <optional>
 #include <thread>
 
@@ -29,9 +30,13 @@ Progress progress_of(const RenderSettings& settings, const PassRenderer& rendere
 {
     Progress p{.passes_done = film.passes(), .passes_wanted = settings.passes, .seconds = seconds, .error = estimated_error(film)};
     const double in_passes = seconds - before;
+    if (settings.target_error > 0) p.error_aimed_at = settings.target_error;
+    if (p.error >= 0) p.seconds_to_error = std::max(in_passes * (p.error * p.error / (p.error_aimed_at * p.error_aimed_at) - 1), 0.0);
     const double by_passes = settings.passes > 0 ? in_passes / film.passes() * (settings.passes - film.passes()) : 1e300;
     const double by_time = settings.seconds > 0 ? std::max(settings.seconds - seconds, 0.0) : 1e300;
     p.seconds_left = std::min(by_passes, by_time);
+    if (settings.target_error > 0 && p.seconds_to_error >= 0) p.seconds_left = std::min(p.seconds_left, p.seconds_to_error);
+    if (p.seconds_left >= 1e300) p.seconds_left = std::numeric_limits<double>::infinity();  // until the target error, and nothing is known of it yet
     p.pairs_per_second = static_cast<double>(renderer.counts().pairs) / in_passes;
     p.shadow_segments_per_second = static_cast<double>(renderer.counts().shadow_segments) / in_passes;
     return p;
@@ -44,10 +49,13 @@ Report report_of(const Scene& scene, const RenderSettings& settings, const PassR
     report.width = film.width(), report.height = film.height(), report.passes = film.passes();
     report.threads = settings.threads ? settings.threads : static_cast<int>(std::thread::hardware_concurrency());
     report.seconds = seconds, report.pass_seconds = film.passes() ? seconds / film.passes() : 0;
-    report.error = estimated_error(film);
+    report.error = estimated_error(film), report.error_upper = error_upper_bound(film);
+    report.target_error = settings.target_error;
     report.warnings = scene.warnings;
     for (std::string& sentence : uncarried_light(scene)) report.warnings.push_back(std::move(sentence));
     renderer.fill(report);
+    for (std::size_t l = 0; l < report.layers.size(); ++l)  // one line per layer, in order
+        if (film.has(static_cast<Layer>(l))) report.layers[l].error = estimated_error(film, static_cast<Layer>(l));
     return report;
 }
 
@@ -74,6 +82,10 @@ RenderOutcome render(const Scene& scene, const RenderSettings& settings, const P
         forecast.after_pass(settings, film.passes(), seconds_since(start), [&] { return estimated_error(film); });
         if (progress && !progress(progress_of(settings, renderer, film, seconds_since(start), before), film)) {
             stopped_by = "interrupt";
+            break;
+        }
+        if (settings.target_error > 0 && error_upper_bound(film) <= settings.target_error) {
+            stopped_by = "target error";
             break;
         }
     }

@@ -20,6 +20,7 @@ struct LayerReport {
     bool skipped = false;
     std::string why;  ///< for a skipped layer: what the scene lacks, or that it was turned off
     bool unbiased = true;
+    double error = -1;    ///< sqrt(relMSE) relative to the layer itself; negative: unknown or not rendered
     double left_out = 0;  ///< for a layer that the scene has and the settings allow to skip: a bound on its share of the light that media scatter
 };
 
@@ -60,7 +61,9 @@ struct Report {
     std::uint64_t light_paths = 0, virtual_lights = 0, eye_segments = 0, eye_points = 0, pairs = 0, shadow_segments = 0, launches = 0, programs = 0;
     double seconds = 0, largest_launch_seconds = 0, pass_seconds = 0, before_seconds = 0;  ///< before: acceleration structures, kernels, pilot
     double error = 0;        ///< estimated sqrt(relMSE) of the image (host/film/error_estimate.hpp); negative: unknown (one pass)
-    std::string stopped_by;  ///< "passes", "time", "interrupt"
+    double error_upper = 0;   ///< it is below this with a confidence of 95 %; infinite: too few passes
+    double target_error = 0;  ///< that was asked for; 0: none
+    std::string stopped_by;  ///< "passes", "time", "target error", "interrupt"
     std::vector<EffectReport> effects;
     std::vector<SavingReport> savings;
     std::optional<Prediction> prediction;  ///< none: fewer than three passes

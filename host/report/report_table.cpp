@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 
 #include "report/readable.hpp"
@@ -28,7 +29,9 @@ void add_head(Text& table, const Report& report)
         line(table, "device", "{}, {} lanes ({})", terminal_safe(report.device), report.lanes, terminal_safe(report.driver));
     line(table, "time", "{} on {} threads, {} per pass, stopped by {}", readable_seconds(report.seconds), report.threads,
          readable_seconds(report.pass_seconds), report.stopped_by);
-    line(table, "error", "{} (root of the estimated relative mean square error)", readable_percent(report.error));
+    const auto bound = std::isfinite(report.error_upper) ? fmt::format(", below {} with 95 % confidence", readable_percent(report.error_upper)) : "";
+    const auto target = report.target_error > 0 ? fmt::format("; {} was asked for", readable_percent(report.target_error)) : "";
+    line(table, "error", "{} (root of the estimated relative mean square error){}{}", readable_percent(report.error), bound, target);
     if (report.exposure) line(table, "exposure", "{:+.2f} stops", *report.exposure);
 }
 
@@ -79,7 +82,8 @@ void add_layers(Text& table, const Report& report)
 {
     for (const auto& layer : report.layers) {
         const auto what = layer.skipped ? "skipped: " + terminal_safe(layer.why) + (layer.unbiased ? "" : "; the image is too dark by that much") : layer.technique + (layer.unbiased ? "" : " (biased)");
-        fmt::format_to(std::back_inserter(table), "  {:<26} {}\n", layer.layer, what);
+        const auto error = layer.error >= 0 && std::isfinite(layer.error) ? ", error " + readable_percent(layer.error) : "";
+        fmt::format_to(std::back_inserter(table), "  {:<26} {}{}\n", layer.layer, what, error);
     }
 }
 

@@ -31,6 +31,7 @@ struct RenderSettings {
     LayerSet layers = LayerSet::all();
     int passes = 0;                    ///< stop after so many; 0: no limit (the command line's default is 16 unless a time is given)
     double seconds = 0;                ///< stop when the next pass would end later; 0: no limit
+    double target_error = 0;           ///< stop when the error is at most this with 95 % confidence (film/error_estimate.hpp), after 8 passes at least; 0: never
     std::uint32_t lights = 0;          ///< virtual lights per pass, aimed at; 0: chosen by fixed rule from the image size and `seconds`
     std::uint64_t seed = 1;
     int threads = 0;                   ///< host threads; 0: all cores

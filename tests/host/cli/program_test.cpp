@@ -149,6 +149,26 @@ TEST_F(Program, TimeStopsTheRender)
     EXPECT_EQ(nlohmann::json::parse(file_bytes(folder / "scene.json")).at("stopped_by"), "time");
 }
 
+TEST_F(Program, TargetErrorStopsTheRender)
+{
+    const auto result = run({"render", "scene.xml", "--method", "path", "--target-error", "60%", "--passes", "4000"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto report = nlohmann::json::parse(file_bytes(folder / "scene.json"));
+    EXPECT_EQ(report.at("stopped_by"), "target error");
+    EXPECT_GE(report.at("passes"), 8) << "luck does not stop it before";
+    EXPECT_LE(report.at("error_below_95"), .6);
+    EXPECT_LE(report.at("error"), report.at("error_below_95"));
+    EXPECT_GT(report.at("seconds_to_error").at("0.001"), report.at("seconds_to_error").at("0.01"));
+}
+
+TEST_F(Program, TargetErrorThatTheBudgetDoesNotReachExitsWith7)
+{
+    const auto result = run({"render", "scene.xml", "--method", "path", "--target-error", ".0001%", "--passes", "9"});
+    EXPECT_EQ(result.exit_code, 7) << result.err;
+    EXPECT_EQ(nlohmann::json::parse(file_bytes(folder / "scene.json")).at("stopped_by"), "passes");
+    EXPECT_TRUE(files().size() > 1) << "the image is written all the same";
+}
+
 TEST_F(Program, UsageErrorsExitWith2AndHelp)
 {
     const std::vector<std::pair<std::vector<std::string>, const char*>> cases{
