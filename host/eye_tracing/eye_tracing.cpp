@@ -7,8 +7,8 @@
 
 #include "transport/bsdf.hpp"
 #include "transport/camera.hpp"
+#include "transport/lit_stretch.hpp"
 #include "transport/medium.hpp"
-#include "transport/opaque_distance.hpp"
 #include "transport/random_sequence.hpp"
 
 namespace tyndall {
@@ -48,7 +48,7 @@ public:
             if (!may_scatter()) return;
             add_segments(walk);
             if (!walk.found) return;
-            throughput_ *= transmittance_of(scene_, walk.pieces);
+            throughput_ *= transmittance_of(scene_, walk);
             if (!specular(bsdf_of(scene_, walk.surface))) return add_point(walk);
             if (!pass_specular(walk)) return;
         }
@@ -69,10 +69,19 @@ private:
             features_.albedo[pixel_] = diffuse_reflectance(scene_, walk.surface, ray_.direction);
         }
         for (const MediumPiece& piece : walk.pieces)
-            if (piece.medium != vacuum && scene_.media[static_cast<std::size_t>(piece.medium)].sigma_t != Rgb(0)) {
+            if (piece.medium != vacuum && extinguishes(walk, piece)) {
                 features_.albedo[pixel_] = scene_.media[static_cast<std::size_t>(piece.medium)].albedo;
                 return;
             }
+    }
+
+    /// Does the piece run through something that its medium is made of?
+    bool extinguishes(const RayWalk& walk, const MediumPiece& piece) const
+    {
+        const Medium& medium = scene_.media[static_cast<std::size_t>(piece.medium)];
+        if (medium.density == none) return medium.sigma_t != Rgb(0);
+        const LineExtent extent = extent_of(scene_, {.medium = medium, .origin = walk.origin, .direction = walk.direction, .t0 = piece.t0, .t1 = piece.t1});
+        return extent.t1 > extent.t0;
     }
 
     void add_segments(const RayWalk& walk)
@@ -81,13 +90,14 @@ private:
         for (const MediumPiece& piece : walk.pieces) {
             if (piece.medium == vacuum) continue;
             const Medium& medium = scene_.media[static_cast<std::size_t>(piece.medium)];
-            const double length = std::min(piece.t1 - piece.t0, opaque_distance(medium));
-            const Vec3 origin = ray_.origin + piece.t0 * ray_.direction, d = ray_.direction;
+            const MediumLine line{.medium = medium, .origin = ray_.origin, .direction = ray_.direction, .t0 = piece.t0, .t1 = piece.t1};
+            const auto [start, length] = lit_stretch(scene_, line);
+            const Vec3 origin = ray_.origin + start * ray_.direction, d = ray_.direction;
             const uint key = next_key();  // also if nobody asks for segments: the numbers that follow are the same then
             if (settings_.segments && length > 0 && largest(throughput * medium.sigma_s()) > 0)
                 row_.segments.push_back({f(origin.x), f(origin.y), f(origin.z), f(length), f(d.x), f(d.y), f(d.z), static_cast<uint>(piece.medium), f(throughput.r),
                                          f(throughput.g), f(throughput.b), static_cast<uint>(depth_), pixel_, key, 0, 0});
-            throughput *= glm::exp(-medium.sigma_t * (piece.t1 - piece.t0));
+            throughput *= glm::exp(-optical_depth(scene_, line));
         }
     }
 

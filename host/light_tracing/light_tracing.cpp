@@ -7,10 +7,10 @@
 
 #include "transport/bsdf.hpp"
 #include "transport/emitter.hpp"
+#include "transport/lit_stretch.hpp"
 #include "transport/medium.hpp"
 #include "transport/phase_function.hpp"
 #include "transport/random_sequence.hpp"
-#include "transport/opaque_distance.hpp"
 
 namespace tyndall {
 namespace {
@@ -41,7 +41,7 @@ public:
         while (largest(throughput_) > 0 && may_leave_lights()) {
             const RayWalk walk = visibility_.walk(ray_, medium_);
             const Vec2 xi = random_.next2();
-            const FreeFlight flight = sample_free_flight(scene_, walk.pieces, throughput_, xi);
+            const FreeFlight flight = sample_free_flight(scene_, walk, throughput_, xi);
             leave_segments(walk, flight, deposit);
             if (settings_.light_segments == LightSegments::first) return;
             const bool goes_on = flight.collided ? scatter_in_medium(walk, flight) : scatter_at_surface(walk, flight);
@@ -64,13 +64,13 @@ private:
             if (piece.medium == vacuum) continue;
             const Medium& medium = scene_.media[static_cast<std::size_t>(piece.medium)];
             const bool ends_here = is_short && flight.collided && flight.piece == i;
-            const double length = std::min((ends_here ? flight.t : piece.t1) - piece.t0, opaque_distance(medium));
+            const MediumLine line{.medium = medium, .origin = ray_.origin, .direction = ray_.direction, .t0 = piece.t0, .t1 = ends_here ? flight.t : piece.t1};
             const Rgb flux = throughput_ * before;
-            if (length > 0 && largest(flux * medium.sigma_s()) > 0)
-                deposit(LightPathSegment{.origin = ray_.origin + piece.t0 * ray_.direction, .direction = ray_.direction, .length = length, .medium = piece.medium,
+            if (const LitStretch lit = lit_stretch(scene_, line); lit.length > 0 && largest(flux * medium.sigma_s()) > 0)
+                deposit(LightPathSegment{.origin = ray_.origin + lit.start * ray_.direction, .direction = ray_.direction, .length = lit.length, .medium = piece.medium,
                                          .flux = flux, .depth = depth_, .is_short = is_short, .channel = is_short ? share * before : Rgb(0)});
             if (ends_here) return;
-            before *= glm::exp(-medium.sigma_t * (piece.t1 - piece.t0));
+            before *= glm::exp(-optical_depth(scene_, line));
         }
     }
 

@@ -36,17 +36,23 @@ double sample_angle(const SeenStretch& seen, double xi)
 
 double pdf_angle_times_square(const SeenStretch& seen) { return seen.distance / seen.angle; }
 
-double sample_mixture(const ExponentialMixture& mixture, const Vec2& xi)
+int choose_channel(const ExponentialMixture& mixture, double xi)
 {
     int channel = 2;
-    for (double left = xi.x, c = 0; c < 2; ++c) {
+    for (double left = xi, c = 0; c < 2; ++c) {
         left -= mixture.share[static_cast<int>(c)];
         if (left < 0) {
             channel = static_cast<int>(c);
             break;
         }
     }
-    while (mixture.share[channel] <= 0) --channel;  // xi.x beyond the rounded sum of the shares
+    while (mixture.share[channel] <= 0) --channel;  // xi beyond the rounded sum of the shares
+    return channel;
+}
+
+double sample_mixture(const ExponentialMixture& mixture, const Vec2& xi)
+{
+    const int channel = choose_channel(mixture, xi.x);
     return sample_exponential(mixture.sigma[channel], mixture.length, xi.y);
 }
 

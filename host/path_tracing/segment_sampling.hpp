@@ -25,6 +25,7 @@ struct ExponentialMixture {
     Rgb sigma, share;
     double length;
 };
+int choose_channel(const ExponentialMixture& mixture, double xi);
 double sample_mixture(const ExponentialMixture& mixture, const Vec2& xi);
 double pdf_mixture(const ExponentialMixture& mixture, double u);
 

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "path_tracing/segment_sampling.hpp"
+#include "path_tracing/scatter_distances.hpp"
 #include "transport/bsdf.hpp"
 #include "transport/camera.hpp"
 #include "transport/emitter.hpp"
+#include "transport/lit_stretch.hpp"
 #include "transport/medium.hpp"
-#include "transport/opaque_distance.hpp"
 #include "transport/phase_function.hpp"
 
 namespace tyndall {
@@ -32,12 +32,19 @@ struct Stretch {
     Vec3 origin, direction;
     double length;
     Rgb throughput;  ///< up to its origin
+    ScatterDistances distances;
+
+    Stretch(const Scene& scene, const MediumLine& line, int index, const Rgb& arriving)
+        : medium(line.medium), medium_index(index), origin(line.origin), direction(line.direction), length(line.t1), throughput(arriving), distances(scene, line, arriving)
+    {
+    }
 };
 
 /// Where on a stretch to scatter: half way between "as the light sees it" and "as it is lit through": the first alone while it is thin.
 struct Chosen {
     double u;
-    double density;  ///< per length, times the squared distance to the light if that has a place
+    PointOnStretch point;  ///< there
+    double density;        ///< per length, times the squared distance to the light if that has a place
 };
 
 /// One camera sample's single scattering.
@@ -58,7 +65,7 @@ public:
             radiance += along(walk, ray, throughput);
             if (!walk.found || !specular(bsdf_of(scene_, walk.surface))) break;
             const BsdfSample next = sample_bsdf(scene_, {.hit = walk.surface, .in = ray.direction}, random_.next2());
-            throughput *= next.weight * transmittance_of(scene_, walk.pieces) / survival(mirrors, throughput);
+            throughput *= next.weight * transmittance_of(scene_, walk) / survival(mirrors, throughput);
             medium = shared_.visibility.medium_behind(walk.surface, next.direction, walk.medium);
             ray = {.origin = shared_.visibility.leave(walk.surface, next.direction), .direction = next.direction};
         }
@@ -82,14 +89,13 @@ private:
         for (const MediumPiece& piece : walk.pieces) {
             if (piece.medium == vacuum) continue;
             const Medium& medium = scene_.media[piece.medium];
-            const Stretch stretch{.medium = medium,
-                                  .medium_index = piece.medium,
-                                  .origin = ray.origin + piece.t0 * ray.direction,
-                                  .direction = ray.direction,
-                                  .length = std::min(piece.t1 - piece.t0, opaque_distance(medium, depth)),
-                                  .throughput = throughput * glm::exp(-depth)};
-            if (stretch.length > 0 && largest(stretch.throughput * medium.sigma_s()) > 0) radiance += scatter(stretch);
-            depth += (piece.t1 - piece.t0) * medium.sigma_t;
+            const MediumLine line{.medium = medium, .origin = ray.origin, .direction = ray.direction, .t0 = piece.t0, .t1 = piece.t1};
+            const LitStretch lit = lit_stretch(scene_, line, depth);
+            const Rgb arriving = throughput * glm::exp(-depth);
+            if (lit.length > 0 && largest(arriving * medium.sigma_s()) > 0)
+                radiance += scatter(Stretch(scene_, {.medium = medium, .origin = ray.origin + lit.start * ray.direction, .direction = ray.direction, .t0 = 0, .t1 = lit.length},
+                                            piece.medium, arriving));
+            depth += optical_depth(scene_, line);
         }
         return radiance;
     }
@@ -97,6 +103,7 @@ private:
     /// Light of all emitters, or of one chosen at random where there are many.
     Rgb scatter(const Stretch& stretch)
     {
+        if (stretch.distances.empty()) return Rgb(0);
         if (scene_.emitters.size() > most_emitters_at_once) {
             const EmitterChoice choice = shared_.emitters.choose(random_.next());
             return light_from(stretch, choice.emitter) / choice.probability;
@@ -114,29 +121,23 @@ private:
         return outside ? light_from_outside(stretch, emitter) : light_from_point(stretch, emitter);
     }
 
-    static ExponentialMixture mixture_of(const Stretch& stretch)
-    {
-        const Rgb strength = stretch.throughput * stretch.medium.sigma_s();
-        return {.sigma = stretch.medium.sigma_t, .share = strength / sum(strength), .length = stretch.length};
-    }
-
     Chosen choose_distance(const Stretch& stretch, const Vec3& light)
     {
-        const ExponentialMixture mixture = mixture_of(stretch);
         const SeenStretch seen = see_stretch(light - stretch.origin, stretch.direction, stretch.length);
-        const double thickness = largest(stretch.medium.sigma_t) * stretch.length, by_angle = 1 / (1 + std::min(thickness, 1.0));
+        const double by_angle = 1 / (1 + std::min(stretch.distances.thickness(), 1.0));
         const double which = random_.next();
         const Vec2 xi = random_.next2();
-        const double u = which < by_angle ? sample_angle(seen, xi.y) : sample_mixture(mixture, xi);
+        const double u = which < by_angle ? sample_angle(seen, xi.y) : stretch.distances.sample(xi);
+        const PointOnStretch point = stretch.distances.at(u);
         const double square = seen.distance * seen.distance + (u - seen.foot) * (u - seen.foot);
-        return {.u = u, .density = by_angle * pdf_angle_times_square(seen) + (1 - by_angle) * pdf_mixture(mixture, u) * square};
+        return {.u = u, .point = point, .density = by_angle * pdf_angle_times_square(seen) + (1 - by_angle) * stretch.distances.pdf(u, point) * square};
     }
 
-    /// What of `arriving` light the point at u sends to the camera, before transmittance and visibility of the light.
-    Rgb scattered(const Stretch& stretch, double u, const Vec3& to_light) const
+    /// What of `arriving` light the point sends to the camera, before transmittance and visibility of the light.
+    Rgb scattered(const Stretch& stretch, const PointOnStretch& point, const Vec3& to_light) const
     {
         const double phase = evaluate_phase(stretch.medium.phase, stretch.direction, to_light);
-        return stretch.throughput * stretch.medium.sigma_s() * glm::exp(-u * stretch.medium.sigma_t) * phase;
+        return stretch.throughput * point.sigma_s * glm::exp(-point.depth) * phase;
     }
 
     Rgb light_from_point(const Stretch& stretch, int emitter)
@@ -148,17 +149,19 @@ private:
         if (distance == 0) return Rgb(0);  // a direction does not exist; the set of such points has no measure
         const Vec3 direction = to_light / distance;
         const Rgb radiance =
-            scattered(stretch, chosen.u, direction) * intensity(scene_.emitters[emitter], point, -direction) / (point.pdf * chosen.density);
+            scattered(stretch, chosen.point, direction) * intensity(scene_.emitters[emitter], point, -direction) / (point.pdf * chosen.density);
         return largest(radiance) > 0 ? radiance * shared_.visibility.transmittance(x, stretch.medium_index, point.position) : Rgb(0);
     }
 
     Rgb light_from_outside(const Stretch& stretch, int emitter)
     {
-        const ExponentialMixture mixture = mixture_of(stretch);
-        const double u = sample_mixture(mixture, random_.next2());
+        const double u = stretch.distances.sample(random_.next2());
+        const PointOnStretch point = stretch.distances.at(u);
+        const double density = stretch.distances.pdf(u, point);
+        if (!(density > 0)) return Rgb(0);  // where a grid is 0, which only rounding can reach
         const Vec3 x = stretch.origin + u * stretch.direction;
         const DirectSample light = sample_direct(shared_.emitters, emitter, x, random_.next2());
-        const Rgb radiance = scattered(stretch, u, light.direction) * light.weight / pdf_mixture(mixture, u);
+        const Rgb radiance = scattered(stretch, point, light.direction) * light.weight / density;
         return largest(radiance) > 0 ? radiance * transmittance_to(shared_.visibility, scene_, x, stretch.medium_index, light) : Rgb(0);
     }
 

@@ -52,7 +52,7 @@ public:
             const RayWalk walk = shared_.visibility.walk(ray_, medium_);
             add_met_light(walk);
             if (!may_scatter()) return;
-            const FreeFlight flight = sample_free_flight(scene_, walk.pieces, throughput_, random_.next2());
+            const FreeFlight flight = sample_free_flight(scene_, walk, throughput_, random_.next2());
             throughput_ *= flight.weight;
             if (!(largest(throughput_) > 0)) return;
             if (!(flight.collided ? scatter_in_medium(walk, flight) : scatter_at_surface(walk))) return;
@@ -80,7 +80,7 @@ private:
             for (const int i : shared_.constants)
                 radiance += scene_.emitters[i].value * chance_weight(pdf_direct_constant(shared_.emitters, i));
         }
-        if (largest(radiance) > 0) add(layer, throughput_ * radiance * transmittance_of(scene_, walk.pieces));
+        if (largest(radiance) > 0) add(layer, throughput_ * radiance * transmittance_of(scene_, walk));
     }
 
     /// Light that arrives at the vertex straight from an emitter; scatter(direction) gives phase function or BSDF x cosine and its sampling

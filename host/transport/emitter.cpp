@@ -216,7 +216,7 @@ Rgb transmittance_to(const Visibility& visibility, const Scene& scene, const Vec
 {
     if (!sample.infinite) return visibility.transmittance(from, medium, sample.position);
     const RayWalk walk = visibility.walk({.origin = from, .direction = sample.direction}, medium);
-    return walk.found ? Rgb(0) : transmittance_of(scene, walk.pieces);
+    return walk.found ? Rgb(0) : transmittance_of(scene, walk);
 }
 
 }  // namespace tyndall

@@ -3,12 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "volumes/medium_line.hpp"
+
 namespace tyndall {
 namespace {
 
-Rgb depth_of(const Scene& scene, const MediumPiece& piece, double t)
+MediumLine line_of(const Scene& scene, const PieceView& pieces, const MediumPiece& piece, double t)
 {
-    return piece.medium == vacuum ? Rgb(0) : (t - piece.t0) * scene.media[piece.medium].sigma_t;
+    return {.medium = scene.media[piece.medium], .origin = pieces.origin, .direction = pieces.direction, .t0 = piece.t0, .t1 = t};
+}
+
+Rgb depth_of(const Scene& scene, const PieceView& pieces, const MediumPiece& piece, double t)
+{
+    return piece.medium == vacuum ? Rgb(0) : optical_depth(scene, line_of(scene, pieces, piece, t));
 }
 
 /// exp(-depth) / sum_c share_c exp(-depth_c) x factor_c, per channel; the least depth is taken out first, so that nothing underflows to
@@ -40,7 +47,7 @@ int choose_channel(const Rgb& share, double xi)
 Rgb optical_depth_of(const Scene& scene, PieceView pieces)
 {
     Rgb depth(0);
-    for (const MediumPiece& piece : pieces) depth += depth_of(scene, piece, piece.t1);
+    for (const MediumPiece& piece : pieces) depth += depth_of(scene, pieces, piece, piece.t1);
     return depth;
 }
 
@@ -48,7 +55,7 @@ Rgb transmittance_of(const Scene& scene, PieceView pieces) { return glm::exp(-op
 
 Rgb optical_depth_to(const Scene& scene, PieceView pieces, std::size_t piece, double t)
 {
-    return optical_depth_of(scene, pieces.first(piece)) + depth_of(scene, pieces[piece], t);
+    return optical_depth_of(scene, PieceView(pieces.first(piece), pieces.origin, pieces.direction)) + depth_of(scene, pieces, pieces[piece], t);
 }
 
 FreeFlight sample_free_flight(const Scene& scene, PieceView pieces, const Rgb& throughput, const Vec2& xi)
@@ -61,15 +68,16 @@ FreeFlight sample_free_flight(const Scene& scene, PieceView pieces, const Rgb& t
     Rgb depth(0);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const MediumPiece& piece = pieces[i];
-        const Rgb through = depth_of(scene, piece, piece.t1);
-        if (left < through[channel]) {
-            const Medium& medium = scene.media[piece.medium];
-            const double t = std::min(piece.t0 + left / medium.sigma_t[channel], piece.t1);
-            const Rgb weight = medium.sigma_s() * balanced(share, depth + depth_of(scene, piece, t), medium.sigma_t);
-            return {.collided = true, .piece = i, .t = t, .weight = weight};
+        if (piece.medium == vacuum) continue;
+        const DepthReached end = reach_depth(scene, line_of(scene, pieces, piece, piece.t1), channel, left);
+        depth += end.depth;
+        if (end.reached) {
+            const MediumPoint at = medium_at(scene, scene.media[piece.medium], pieces.origin + end.t * pieces.direction);
+            // A grid is 0 there with probability 0, so only after rounding.
+            if (!(sum(share * at.sigma_t) > 0)) return {};
+            return {.collided = true, .piece = i, .t = end.t, .weight = at.sigma_s() * balanced(share, depth, at.sigma_t)};
         }
-        left -= through[channel];
-        depth += through;
+        left -= end.depth[channel];
     }
     return {.weight = balanced(share, depth, Rgb(1))};
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Transmittance and free flight along the pieces of a walked ray. Homogeneous media only so far: this is the one place that knows.
+/// Transmittance and free flight along the pieces of a walked ray, in media of any kind (volumes/medium_line.hpp).
 #include <span>
 
 #include "scene/scene.hpp"
@@ -7,10 +7,13 @@
 
 namespace tyndall {
 
-/// The pieces of a walked ray; made from RayWalk::pieces.
+/// The pieces of a walked ray, and the ray.
 struct PieceView : std::span<const MediumPiece> {
-    PieceView(const boost::container::small_vector_base<MediumPiece>& pieces) : span(pieces.data(), pieces.size()) {}
+    Vec3 origin{0}, direction{0, 0, 1};
+    PieceView(const RayWalk& walk) : span(walk.pieces.data(), walk.pieces.size()), origin(walk.origin), direction(walk.direction) {}
+    /// Along the z axis where nothing varies.
     PieceView(std::span<const MediumPiece> pieces) : span(pieces) {}
+    PieceView(std::span<const MediumPiece> pieces, const Vec3& from, const Vec3& along) : span(pieces), origin(from), direction(along) {}
 };
 
 /// What happened to light on its way along the pieces.
@@ -29,7 +32,7 @@ Rgb transmittance_of(const Scene& scene, PieceView pieces);
 /// Optical depth per channel from the start of the first piece to distance t in pieces[piece].
 Rgb optical_depth_to(const Scene& scene, PieceView pieces, std::size_t piece, double t);
 
-/// Free flight. xi.x chooses a channel in proportion to `throughput`, xi.y the optical depth there; the density is balanced over channels,
+/// Free flight, by regular tracking in grids: exact for any extinction. xi.x chooses a channel in proportion to `throughput`, xi.y the optical depth there; the density is balanced over channels,
 /// so that throughput x weight never exceeds the throughput's sum over channels (x albedo).
 FreeFlight sample_free_flight(const Scene& scene, PieceView pieces, const Rgb& throughput, const Vec2& xi);
 

@@ -5,6 +5,7 @@
 
 #include "visibility/embree_scene.hpp"
 #include "visibility/exact_hit.hpp"
+#include "volumes/medium_line.hpp"
 
 namespace tyndall {
 namespace {
@@ -141,7 +142,7 @@ bool Visibility::intersect(const Ray& ray, Hit& hit) const
 
 RayWalk Visibility::walk(const Ray& ray, int medium) const
 {
-    RayWalk walk;
+    RayWalk walk{.origin = ray.origin, .direction = ray.direction};
     ExactQuery query(*state_, ray);
     if (state_->has_solids) find_nearest(query, state_->solid.get());
     walk.found = query.found;
@@ -179,7 +180,8 @@ Rgb Visibility::optical_depth(const Vec3& from, int medium, const Vec3& to) cons
     cut_at_boundaries(crossings, {.t0 = 0, .t1 = ray.t_max, .at_surface = false}, medium, pieces);
     Rgb depth(0);
     for (const MediumPiece& piece : pieces)
-        if (piece.medium != vacuum) depth += (piece.t1 - piece.t0) * state_->scene.media[piece.medium].sigma_t;
+        if (piece.medium != vacuum)
+            depth += tyndall::optical_depth(state_->scene, {.medium = state_->scene.media[piece.medium], .origin = ray.origin, .direction = ray.direction, .t0 = piece.t0, .t1 = piece.t1});
     return depth;
 }
 

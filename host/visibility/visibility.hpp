@@ -36,6 +36,7 @@ struct MediumPiece {
 
 /// A ray followed through null boundaries.
 struct RayWalk {
+    Vec3 origin{0}, direction{0, 0, 1};  ///< the ray's
     /// In order, touching, vacuum included; the last ends at the surface or at the ray's t_max.
     boost::container::small_vector<MediumPiece, 8> pieces;
     bool found = false;   ///< met a surface that is not null
