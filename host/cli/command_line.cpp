@@ -9,6 +9,7 @@
 #include "cli/list_commands.hpp"
 #include "cli/render_command.hpp"
 #include "cli/render_options.hpp"
+#include "cli/selftest_command.hpp"
 #include "cli/version.hpp"
 #include "scene/text.hpp"
 #include "tyndall/error.hpp"
@@ -22,6 +23,7 @@ struct Request {
     ExplainCommand explain;
     InfoCommand info;
     DevicesCommand devices;
+    SelftestCommand selftest;
 };
 
 constexpr const char* examples = R"(Examples:
@@ -31,6 +33,7 @@ constexpr const char* examples = R"(Examples:
   tyndall explain scene.xml                      what would be simulated, why, and how long it takes
   tyndall info scene.xml                         what the file says
   tyndall devices                                where it can run
+  tyndall selftest                               whether the device computes as it must
 )";
 
 constexpr const char* render_examples = R"(Examples:
@@ -65,6 +68,7 @@ void declare(CLI::App& app, Request& request)
     info->add_option("scene", request.info.scene, "scene file, Mitsuba 3 XML")->required()->type_name("SCENE.XML");
     info->add_flag("--json", request.info.json, "as JSON");
     add_load_options(*info, request.info.load);
+    add_selftest_options(*app.add_subcommand("selftest", "Runs the hard cases on host and device; exit code 8 if one is outside its bounds"), request.selftest);
     add_devices_options(*app.add_subcommand("devices", "Lists the OpenCL devices"), request.devices);
 }
 
@@ -122,6 +126,7 @@ int run(int argc, char** argv)
     if (app.got_subcommand("render")) return run_render(request.render);
     if (app.got_subcommand("explain")) return run_explain(request.explain);
     if (app.got_subcommand("info")) return run_info(request.info);
+    if (app.got_subcommand("selftest")) return run_selftest(request.selftest);
     return run_devices(request.devices);
 }
 

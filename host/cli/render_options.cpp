@@ -95,6 +95,8 @@ void add_machine(CLI::App& app, RenderSettings& settings)
     })->envname("TYNDALL_THREADS");
     add(app, "--features", "NAMES", "build kernels for these features, comma-separated, all or own; what the scene needs must be among them (own)",
         [&](const auto& text) { settings.features = parse_features("--features", text); });
+    app.add_flag_callback(
+        "--no-selftest", [&] { settings.selftest = false; }, "render on a device that fails its selftest, or has not passed it yet, at your own risk");
     add(app, "--tile", "PAIRS", "pairs per tile; never changes a byte of the image",
         [&](const auto& text) { settings.tile_pairs = static_cast<std::uint32_t>(parse_integer("--tile", text, 1, 1 << 30)); });
 }
@@ -132,6 +134,19 @@ void add_devices_options(CLI::App& app, DevicesCommand& command)
     auto* json = app.add_flag("--json", command.json, "as JSON");
     app.add_flag("--prebuild", command.prebuild, "build the kernels of everyday scenes, so that the driver's cache has them")->excludes(json);
     add(app, "-d,--device", "DEVICE", "the one that --prebuild builds for (as for render)", [&](const auto& text) { command.device = text; })->envname("TYNDALL_DEVICE");
+}
+
+void add_selftest_options(CLI::App& app, SelftestCommand& command)
+{
+    add(app, "-d,--device", "DEVICE", "the one to test (as for render)", [&](const auto& text) { command.request.device = text; })->envname("TYNDALL_DEVICE");
+    app.add_option("--only", command.request.only, "only cases with this in their name, for example row04; repeatable (all)")->type_name("CASE")->allow_extra_args(false);
+    auto* all = app.add_flag("--all-lanes", command.all_lanes, "at 1, 4, 8 and 16 lanes (those that a render would use)");
+    add(app, "--lanes", "N", "at 1, 4, 8 or 16 lanes (by device)", [&](const auto& text) {
+        command.request.lanes = {std::array{1, 4, 8, 16}[parse_choice("--lanes", text, {"1", "4", "8", "16"})]};
+    })->envname("TYNDALL_LANES")->excludes(all);
+    auto* json = app.add_flag("--json", command.json, "as JSON");
+    app.add_flag("--junit", command.junit, "as JUnit's XML")->excludes(json);
+    app.add_option("--bundle", command.bundle, "if a case fails on the device: kernel, options, buffers, expected values and a program that replays it, in this folder")->type_name("FOLDER");
 }
 
 void add_explain_options(CLI::App& app, ExplainCommand& command)

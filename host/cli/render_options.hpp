@@ -2,6 +2,7 @@
 #include "cli/explain_command.hpp"
 #include "cli/list_commands.hpp"
 #include "cli/render_command.hpp"
+#include "cli/selftest_command.hpp"
 
 namespace CLI {
 class App;
@@ -18,6 +19,9 @@ void add_explain_options(CLI::App& app, ExplainCommand& command);
 
 /// Declares the options of `tyndall devices`.
 void add_devices_options(CLI::App& app, DevicesCommand& command);
+
+/// Declares the options of `tyndall selftest`.
+void add_selftest_options(CLI::App& app, SelftestCommand& command);
 
 /// Declares -D and --allow-outside, which every command that reads a scene has.
 void add_load_options(CLI::App& app, LoadOptions& options);

@@ -11,6 +11,7 @@
 #include "pipeline/media_tables.hpp"
 #include "pipeline/memory_estimate.hpp"
 #include "pipeline/savings.hpp"
+#include "selftest/first_use.hpp"
 #include "tyndall/error.hpp"
 
 namespace tyndall {
@@ -78,6 +79,9 @@ void PassRenderer::prepare_lights()
     device_.emplace(settings_.device);
     const auto start = std::chrono::steady_clock::now();
     const auto build = [&](bool wanted, EyeKind kind) { return wanted ? make_connector(kind) : nullptr; };
+    auto selftest = std::async(std::launch::async, [&] {
+        return settings_.selftest ? check_on_first_use({.device = device_->info(), .lanes = lanes_of(settings_, *device_)}) : SelftestReport{.outcome = "skipped"};
+    });
     auto to_points = std::async(std::launch::async, build, plan_.media_to_surface, EyeKind::points);
     auto to_segments = std::async(std::launch::async, build, plan_.media_to_media, EyeKind::segments);
     const std::uint32_t lights = lights_per_pass(settings_, scene_.camera);
@@ -85,7 +89,7 @@ void PassRenderer::prepare_lights()
         return paths_for(scene_, visibility_, technique_,
                          {.seed = settings_.seed, .max_depth = max_depth_, .light_segments = settings_.light_segments, .segment_length = settings_.segment_length}, lights);
     });
-    to_points_ = to_points.get(), to_segments_ = to_segments.get();
+    to_points_ = to_points.get(), to_segments_ = to_segments.get(), selftest_ = selftest.get();
     clock_.add("build_kernels", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), device_->programs_built());
 }
 
@@ -168,6 +172,8 @@ void PassRenderer::fill(Report& report) const
     add_savings(report);
     if (!device_) return;
     report.programs = device_->programs_built();
+    report.selftest = selftest_;
+    if (selftest_ && !selftest_->warning.empty()) report.warnings.push_back(selftest_->warning);
     report.device = device_->info().platform + ": " + device_->info().name, report.driver = device_->info().driver;
     for (const auto* connector : {to_segments_.get(), to_points_.get()}) {
         if (!connector) continue;

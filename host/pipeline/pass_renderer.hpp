@@ -67,6 +67,7 @@ private:
     const LightTechnique& technique_;
     std::optional<Device> device_;
     std::unique_ptr<Connector> to_segments_, to_points_;
+    std::optional<SelftestReport> selftest_;
     std::uint64_t light_paths_ = 0;
     StageClock clock_;
     ConnectCounts counts_;

@@ -54,6 +54,15 @@ struct NumericsLedger {
     std::uint64_t not_finite_pixels = 0;   ///< per pass and layer, from the film; they count as 0
 };
 
+/// The golden cases on the device before its first render (host/selftest/first_use.hpp).
+struct SelftestReport {
+    std::string outcome;        ///< "passed", "passed before", or "skipped" at the user's own risk
+    std::uint64_t outputs = 0;  ///< compared now
+    double seconds = 0;         ///< beside the other preparations
+    std::string remembered_in;  ///< file that says that they passed; empty: none
+    std::string warning;        ///< why there is none, and what to do; empty: nothing to say
+};
+
 struct Report {
     std::string scene, method, device, driver, build_options;
     std::uint64_t scene_hash = 0, seed = 0;
@@ -67,6 +76,7 @@ struct Report {
     std::vector<EffectReport> effects;
     std::vector<SavingReport> savings;
     std::optional<Prediction> prediction;  ///< none: fewer than three passes
+    std::optional<SelftestReport> selftest;  ///< none: no device was used
     std::vector<LayerReport> layers;
     std::vector<StageTime> stages;
     std::vector<std::string> warnings;

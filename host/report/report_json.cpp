@@ -122,6 +122,13 @@ Json seconds_to_error_of(const Report& report)
     return {{"0.01", at(.01)}, {"0.001", at(.001)}};
 }
 
+Json selftest_of(const Report& report)
+{
+    if (!report.selftest) return nullptr;
+    const SelftestReport& s = *report.selftest;
+    return {{"outcome", s.outcome}, {"outputs", s.outputs}, {"seconds", number(s.seconds)}, {"remembered_in", s.remembered_in.empty() ? Json(nullptr) : Json(s.remembered_in)}};
+}
+
 }  // namespace
 
 std::string to_json(const Report& report)
@@ -136,6 +143,7 @@ std::string to_json(const Report& report)
     json["max_depth"] = report.max_depth < 0 ? Json(nullptr) : Json(report.max_depth);
     json["threads"] = report.threads;
     json["device"] = device_of(report);
+    json["selftest"] = selftest_of(report);
     json["stopped_by"] = report.stopped_by;
     json["error"] = report.error < 0 ? Json(nullptr) : number(report.error);
     json["error_below_95"] = report.error < 0 ? Json(nullptr) : number(report.error_upper);

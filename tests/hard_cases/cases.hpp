@@ -2,11 +2,12 @@
 /// What a row of hard cases is: inputs rounded to the precision under test, and the interval that each output must lie in.
 #include <array>
 #include <limits>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "tests/hard_cases/evaluate.hpp"
+#include "selftest/evaluate.hpp"
 #include "tests/hard_cases/oracle.hpp"
 
 namespace tyndall::test {
@@ -14,8 +15,9 @@ namespace tyndall::test {
 /// low <= output <= high, which NaN is not. Everything finite by default.
 struct Interval {
     Big low = -Big(std::numeric_limits<double>::max()), high = Big(std::numeric_limits<double>::max());
+    std::optional<Big> value{};  ///< what the output would be without any rounding, where one value is right
 
-    static Interval around(const Big& value, const Big& tolerance) { return {value - tolerance, value + tolerance}; }
+    static Interval around(const Big& value, const Big& tolerance) { return {value - tolerance, value + tolerance, value}; }
     static Interval relative(const Big& value, const Big& tolerance) { return around(value, abs(value) * tolerance); }
     bool holds(const Big& x) const { return low <= x && x <= high; }
 };
@@ -35,7 +37,8 @@ struct HardIntegral {
     unsigned sampler = 0, output = 0;
     std::vector<std::array<Real, 14>> in;
     std::vector<Big> weight;
-    Interval expected;
+    Interval expected{};
+    unsigned panels = 0;  ///< nodes: as in host/selftest/golden.hpp
 };
 
 template <class Real>

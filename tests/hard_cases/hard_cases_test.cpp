@@ -16,6 +16,6 @@ TYPED_TEST_SUITE(HardCases, Precisions, PrecisionNames);
 
 #define HARD_CASE(name, row) \
     TYPED_TEST(HardCases, name) { check_row<TypeParam>(row<TypeParam>(), evaluate_each_on_host<TypeParam>); }
-#include "tests/hard_cases/rows.inc"
+#include "selftest/rows.inc"
 
 }  // namespace tyndall::test

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "tests/hard_cases/evaluate.hpp"
+#include "selftest/evaluate.hpp"
 
 namespace tyndall::test {
 namespace {

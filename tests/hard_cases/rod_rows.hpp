@@ -70,7 +70,7 @@ HardRow<Real> row02()
 template <class Real>
 HardIntegral<Real> mean_weight(std::string name, std::array<Real, 14> in, unsigned panels, Interval expected)
 {
-    HardIntegral<Real> integral{std::move(name), SAMPLER_PAIR, 0, {}, {}, expected};
+    HardIntegral<Real> integral{std::move(name), SAMPLER_PAIR, 0, {}, {}, expected, panels};
     const std::array<double, 4> node{.86113631159405257522, .33998104358485626480, -.33998104358485626480, -.86113631159405257522};
     const std::array<double, 4> weight{.34785484513745385737, .65214515486254614263, .65214515486254614263, .34785484513745385737};
     for (unsigned panel = 0; panel < panels; ++panel)

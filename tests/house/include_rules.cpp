@@ -39,6 +39,7 @@ constexpr Row rows[] = {
     {"kernels/volumes/", 3},
     {"kernels/lights/", 4},
     {"kernels/stages/", 5},
+    {"kernels/selftest/", 5},
     {"kernels/dialect_host.hpp", 5},      // all of the mathematics as C++
     {"kernels/embedded_kernels.hpp", 5},  // all of the kernels as text
     {"host/include/", 6},
@@ -55,6 +56,7 @@ constexpr Row rows[] = {
     {"host/tiling/", 10},
     {"host/path_tracing/", 10},
     {"host/photon_map/", 10},
+    {"host/selftest/", 10},
     {"host/pipeline/", 11},
     {"host/cli/", 12},
     {"tests/", 13},

@@ -45,6 +45,7 @@ struct RenderSettings {
     std::uint32_t tile_pairs = 0;      ///< pairs per tile; 0: default. Never changes a byte
     int samples_per_pair = 1;
     double skip_thin = 0;              ///< leave media_to_media out if at most this share of what media scatter is scattered there again (biased); 0: never
+    bool selftest = true;              ///< golden cases before a device renders for the first time; false: at the user's own risk
 };
 
 }  // namespace tyndall

@@ -1,19 +1,20 @@
 #pragma once
-/// evaluate.h on the host, chosen by type.
+/// kernels/selftest/evaluate.h on the host, chosen by type. Include it after headers that are not the project's: the kernels' macros have short names.
 #include <array>
 
 #include "kernels/dialect_host.hpp"
 
 namespace tyndall::maths_float {
-#include "tests/hard_cases/evaluate.h"
+#include "kernels/selftest/evaluate.h"
 }
 #undef EVALUATE_H
 namespace tyndall::maths_double {
-#include "tests/hard_cases/evaluate.h"
+#include "kernels/selftest/evaluate.h"
 }
 
-namespace tyndall::test {
+namespace tyndall {
 
+/// One set of inputs through one sampler, in float or in double.
 template <class Real>
 std::array<Real, 4> evaluate_on_host(unsigned sampler, const std::array<Real, 14>& in)
 {
@@ -28,4 +29,4 @@ std::array<Real, 4> evaluate_on_host(unsigned sampler, const std::array<Real, 14
     return result;
 }
 
-}  // namespace tyndall::test
+}  // namespace tyndall

@@ -15,6 +15,7 @@
 #define SAMPLER_BALANCE 8u    // p1 p2                              -> share of 1, share of 2
 #define SAMPLER_RATIO 9u      // optical depth, reference           -> transmittance_ratio
 #define SAMPLER_ROD_PDF 10u   // q a b length v                     -> pdf
+#define SAMPLER_COUNT 11u
 
 typedef struct {
     real in[14];

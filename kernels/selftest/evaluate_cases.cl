@@ -1,5 +1,5 @@
 // Evaluates one sampler for `count` inputs (a multiple of LANES): field f of case i at in[f * count + i], output k at out[k * count + i].
-#include "tests/hard_cases/evaluate.h"
+#include "kernels/selftest/evaluate.h"
 
 __kernel void evaluate_cases(uint sampler, __global const float* in, uint count, __global float* out)
 {
