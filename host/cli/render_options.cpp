@@ -57,6 +57,9 @@ void add_transport(CLI::App& app, RenderSettings& settings, LayerSet& layers)
         constexpr std::array samplers{Sampler::automatic, Sampler::paper_isotropic, Sampler::paper};
         settings.sampler = samplers[parse_choice("--sampler", text, {"auto", "paper-isotropic", "paper"})];
     });
+    add(app, "--transmittance", "NAME", "through density grids: march, with an exact correction for one pair in 32, or exact (march)", [&](const auto& text) {
+        settings.transmittance = parse_choice("--transmittance", text, {"march", "exact"}) == 0 ? GridTransmittance::march : GridTransmittance::exact;
+    });
     add(app, "--samples", "N", "samples of every pair of light and eye per pass (1)", [&](const auto& text) { settings.samples_per_pair = integer("--samples", text, 1, 256); });
     add(app, "--skip-thin", "SHARE", "leave media_to_media out if at most this share of what media scatter is scattered there again: .01 or 1% (never)",
         [&](const auto& text) { settings.skip_thin = parse_share("--skip-thin", text); });

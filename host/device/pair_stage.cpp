@@ -24,7 +24,9 @@ struct Slot {
     cl::Event ready;
 };
 
-enum class Timed { gather, sample, accumulate };
+enum class Timed { gather, sample, accumulate, tabulate };
+
+constexpr std::size_t table_nodes = 65;  ///< kernels/volumes/optical_table.h
 
 std::uint32_t work_items(std::uint32_t groups, std::uint32_t local) { return (groups + local - 1) / local * local; }
 
@@ -33,16 +35,18 @@ std::uint32_t work_items(std::uint32_t groups, std::uint32_t local) { return (gr
 struct PairStage::State {
     DeviceState& device;
     PairProgram program;
-    cl::Kernel gather, sample, accumulate;
+    cl::Kernel gather, sample, accumulate, tabulate_lights, tabulate_eyes;
     GrowingBuffer eyes{CL_MEM_READ_ONLY}, lights{CL_MEM_READ_ONLY}, media{CL_MEM_READ_ONLY}, containers{CL_MEM_READ_ONLY}, planes{CL_MEM_READ_ONLY};
     GrowingBuffer lobes{CL_MEM_READ_ONLY}, phase_values{CL_MEM_READ_ONLY}, grids{CL_MEM_READ_ONLY}, voxels{CL_MEM_READ_ONLY};
+    GrowingBuffer eye_tables{CL_MEM_READ_WRITE}, light_tables{CL_MEM_READ_WRITE};
     GrowingBuffer sums{CL_MEM_READ_WRITE}, ledger{CL_MEM_READ_WRITE};
     std::array<Slot, 2> slots;
     std::uint32_t eye_count = 0, vertex_limit = 0, container_count = 0;
     std::vector<std::pair<Timed, cl::Event>> events;
     PairTimings timings;
 
-    bool occluders() const { return (program.features & feature_bit::occluders) != 0; }
+    bool has_grids() const { return (program.features & feature_bit::heterogeneous) != 0; }
+    std::size_t table_bytes() const { return table_nodes * (program.features & feature_bit::coloured_grids ? 3 : 1) * sizeof(float); }
     std::uint32_t lanes() const { return static_cast<std::uint32_t>(program.lanes); }
     std::uint32_t pairs_in(const PairTile& tile) const { return tile.lights * program.samples; }
     std::size_t packet_count(const PairTile& tile) const { return std::size_t(tile.groups) * lanes() / SHADOW_PACKET_SIZE * pairs_in(tile); }
@@ -55,8 +59,41 @@ struct PairStage::State {
         const std::string text = flattened_kernel("kernels/stages/" + wanted.name + ".cl",
                                                   {{"LIGHT", "kernels/lights/" + light + ".h"}, {"EYE", "kernels/stages/" + eye + ".h"}});
         const cl::Program built = build_program(device, text, wanted.options);
-        cl::Kernel& kernel = wanted.name == "gather_lights" ? gather : shared ? accumulate : sample;
+        cl::Kernel& kernel = kernel_of(wanted.name);
         kernel = on_device(device, "creating a kernel", [&] { return cl::Kernel(built, wanted.name.c_str()); });
+    }
+
+    cl::Kernel& kernel_of(const std::string& name)
+    {
+        if (name == "tabulate_lights") return tabulate_lights;
+        if (name == "tabulate_eyes") return tabulate_eyes;
+        return name == "gather_lights" ? gather : name == "accumulate_pairs" ? accumulate : sample;
+    }
+
+    /// What all kernels take of media; returns the next index.
+    cl_uint set_surroundings(cl::Kernel& kernel, cl_uint i)
+    {
+        kernel.setArg(i++, media.get()), kernel.setArg(i++, containers.get()), kernel.setArg(i++, planes.get()), kernel.setArg(i++, container_count);
+        kernel.setArg(i++, lobes.get()), kernel.setArg(i++, phase_values.get()), kernel.setArg(i++, grids.get()), kernel.setArg(i++, voxels.get());
+        return i;
+    }
+
+    /// Room for the tables, and the tables themselves.
+    void tabulate(std::uint32_t light_count)
+    {
+        eye_tables.reserve(device, has_grids() && program.eyes == EyeKind::segments ? eye_count * table_bytes() : 0);
+        light_tables.reserve(device, has_grids() ? light_count * table_bytes() : 0);
+        if (!has_grids()) return;
+        const auto run = [&](cl::Kernel& kernel, GrowingBuffer& records, GrowingBuffer& tables, std::uint32_t items) {
+            if (items == 0) return;
+            kernel.setArg(0, records.get()), kernel.setArg(1, items);
+            kernel.setArg(set_surroundings(kernel, 2), tables.get());
+            launch(Timed::tabulate, kernel, items);
+        };
+        on_device(device, "tabulating what lies along lights and eyes", [&] {
+            run(tabulate_lights, lights, light_tables, light_count);
+            if (program.eyes == EyeKind::segments) run(tabulate_eyes, eyes, eye_tables, eye_count / lanes());
+        });
     }
 
     /// The arguments that gather and sample share; returns the next index.
@@ -65,9 +102,9 @@ struct PairStage::State {
         cl_uint i = 0;
         kernel.setArg(i++, eyes.get()), kernel.setArg(i++, tile.first_group), kernel.setArg(i++, tile.groups);
         kernel.setArg(i++, lights.get()), kernel.setArg(i++, tile.first_light), kernel.setArg(i++, tile.lights);
-        kernel.setArg(i++, program.samples), kernel.setArg(i++, vertex_limit), kernel.setArg(i++, media.get());
-        kernel.setArg(i++, containers.get()), kernel.setArg(i++, planes.get()), kernel.setArg(i++, container_count);
-        kernel.setArg(i++, lobes.get()), kernel.setArg(i++, phase_values.get()), kernel.setArg(i++, grids.get()), kernel.setArg(i++, voxels.get());
+        kernel.setArg(i++, program.samples), kernel.setArg(i++, vertex_limit);
+        i = set_surroundings(kernel, i);
+        kernel.setArg(i++, eye_tables.get()), kernel.setArg(i++, light_tables.get());
         return i;
     }
 
@@ -84,7 +121,7 @@ struct PairStage::State {
     {
         for (auto& [what, event] : events) {
             const double seconds = 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() - event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
-            (what == Timed::gather ? timings.gather : what == Timed::sample ? timings.sample : timings.accumulate) += seconds;
+            (what == Timed::gather ? timings.gather : what == Timed::sample ? timings.sample : what == Timed::accumulate ? timings.accumulate : timings.tabulate) += seconds;
             timings.largest_launch = std::max(timings.largest_launch, seconds);
         }
         events.clear();
@@ -93,13 +130,19 @@ struct PairStage::State {
 
 std::string build_options(const PairProgram& program)
 {
-    return "-cl-std=CL1.2 -DLANES=" + std::to_string(program.lanes) + " -DFEATURES=" + std::to_string(program.features) + "u -DSAMPLER=" + std::to_string(program.sampler);
+    return "-cl-std=CL1.2 -DLANES=" + std::to_string(program.lanes) + " -DFEATURES=" + std::to_string(program.features) + "u -DSAMPLER=" + std::to_string(program.sampler) +
+           (program.features & feature_bit::heterogeneous ? " -DTRANSMITTANCE=" + std::to_string(program.transmittance) : "");
 }
 
 std::vector<KernelBuild> kernel_builds(const PairProgram& program)
 {
-    if (!(program.features & feature_bit::occluders)) return {{"gather_lights", build_options(program), program.features}};
-    return {{"sample_pairs", build_options(program), program.features}, {"accumulate_pairs", build_options({.lanes = program.lanes}), 0}};
+    const std::string own = build_options(program);
+    std::vector<KernelBuild> builds;
+    if (program.features & feature_bit::heterogeneous) builds.push_back({"tabulate_lights", own, program.features});
+    if (program.features & feature_bit::heterogeneous && program.eyes == EyeKind::segments) builds.push_back({"tabulate_eyes", own, program.features});
+    if (program.features & feature_bit::occluders) builds.insert(builds.end(), {{"sample_pairs", own, program.features}, {"accumulate_pairs", build_options({.lanes = program.lanes}), 0}});
+    else builds.push_back({"gather_lights", own, program.features});
+    return builds;
 }
 
 PairStage::PairStage(Device& device, const PairProgram& program, const MediaTables& tables) : state_(std::make_unique<State>(State{device.state(), program}))
@@ -129,6 +172,7 @@ void PairStage::begin(std::span<const std::byte> eyes, std::uint32_t eye_count, 
     state_->eyes.upload(state_->device, eyes);
     state_->lights.upload(state_->device, lights);
     cl::Buffer& sums = state_->sums.reserve(state_->device, std::size_t(eye_count) * 6 * sizeof(float));
+    state_->tabulate(static_cast<std::uint32_t>(lights.size() / state_->program.light_bytes));
     on_device(state_->device, "clearing sums", [&] { state_->device.queue.enqueueFillBuffer(sums, 0.0f, 0, std::max<std::size_t>(std::size_t(eye_count) * 6 * sizeof(float), 64)); });
 }
 

@@ -21,11 +21,13 @@ enum class EyeKind { segments, points };
 
 struct PairProgram {
     std::string light = "virtual_ray_light";  ///< file in kernels/lights
+    std::uint32_t light_bytes = 64;           ///< of its record
     EyeKind eyes = EyeKind::segments;
     std::uint32_t features = 0;               ///< mask of kernels/shared/scene_features.h
     int lanes = 16;
     int sampler = 0;                          ///< kernels/shared/samplers.h
     std::uint32_t samples = 1;                ///< per pair; contributions are their sum
+    int transmittance = 0;                    ///< kernels/shared/transmittance_modes.h; means something with HETEROGENEOUS only
 };
 
 /// Tables that do not change during a render.
@@ -56,7 +58,7 @@ struct PairLedger {
 };
 
 struct PairTimings {
-    double gather = 0, sample = 0, accumulate = 0, largest_launch = 0;  ///< seconds on the device
+    double gather = 0, sample = 0, accumulate = 0, tabulate = 0, largest_launch = 0;  ///< seconds on the device
     std::uint64_t launches = 0;
 };
 
@@ -70,7 +72,8 @@ struct KernelBuild {
     std::uint32_t features = 0;
 };
 
-/// gather_lights if nothing can occlude; otherwise sample_pairs, and accumulate_pairs, which is the same program for every eye, light and feature.
+/// gather_lights if nothing can occlude; otherwise sample_pairs, and accumulate_pairs, which is the same program for every eye, light and feature. Density
+/// grids: also the tables along lights and eye segments.
 std::vector<KernelBuild> kernel_builds(const PairProgram& program);
 
 class PairStage {
@@ -80,7 +83,7 @@ public:
     ~PairStage();
     PairStage(PairStage&&) noexcept;
 
-    /// Starts a set of eyes and lights: raw records, sums at zero. vertex_limit: at most so many scattering vertices on a path (ignored without DEPTH_LIMIT).
+    /// Starts a set of eyes and lights: raw records, sums at zero, tables along them where there are density grids. vertex_limit: at most so many scattering vertices on a path (ignored without DEPTH_LIMIT).
     void begin(std::span<const std::byte> eyes, std::uint32_t eye_count, std::span<const std::byte> lights, std::uint32_t vertex_limit);
     std::uint32_t groups() const;
 

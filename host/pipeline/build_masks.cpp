@@ -30,6 +30,14 @@ BuildMasks build_masks(const SceneFeatures& features, const LayerPlan& plan, con
     return {*wanted, *wanted};
 }
 
+std::string grid_transmittance(const RenderSettings& settings, const LayerPlan& plan, const BuildMasks& masks)
+{
+    const std::uint32_t built = (plan.media_to_media ? masks.media_to_media : 0u) | (plan.media_to_surface ? masks.media_to_surface : 0u);
+    if (!(built & feature_bit::heterogeneous)) return {};
+    if (settings.transmittance == GridTransmittance::exact) return "exact: cell by cell for every pair; unbiased";
+    return "march: tables and a jittered march, with an exact correction for one pair in 32; unbiased, and a pass can hold negative values";
+}
+
 PairProgram pair_program(const Scene& scene, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes)
 {
     const std::uint32_t features = kind == EyeKind::segments ? masks.media_to_media : masks.media_to_surface;
@@ -38,7 +46,8 @@ PairProgram pair_program(const Scene& scene, const RenderSettings& settings, Eye
             .features = features,
             .lanes = lanes,
             .sampler = samples_phase ? choose_sampler(scene, settings.sampler) : SAMPLER_PAPER_ISOTROPIC,
-            .samples = static_cast<std::uint32_t>(settings.samples_per_pair)};
+            .samples = static_cast<std::uint32_t>(settings.samples_per_pair),
+            .transmittance = settings.transmittance == GridTransmittance::exact ? TRANSMITTANCE_EXACT : TRANSMITTANCE_MARCH};
 }
 
 }  // namespace tyndall

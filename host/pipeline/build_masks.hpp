@@ -1,6 +1,7 @@
 #pragma once
 /// Which features kernels are built with: the scene's own, or a mask that was asked for by hand.
 #include <optional>
+#include <string>
 
 #include "device/pair_stage.hpp"
 #include "pipeline/layer_plan.hpp"
@@ -14,6 +15,9 @@ struct BuildMasks {
 /// The scene's own masks, or `wanted` for both layers. A mask with more than the scene needs gives the same image within rounding and costs time; one that lacks
 /// what a layer of the plan needs throws UsageError, which names the element that needs it.
 BuildMasks build_masks(const SceneFeatures& features, const LayerPlan& plan, const std::optional<std::uint32_t>& wanted);
+
+/// How transmittance through density grids is found, as a sentence for the report; empty if no kernel asks.
+std::string grid_transmittance(const RenderSettings& settings, const LayerPlan& plan, const BuildMasks& masks);
 
 /// The program for the connections of one kind of eye.
 PairProgram pair_program(const Scene& scene, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes);

@@ -20,9 +20,20 @@ std::uint64_t film_bytes(std::uint64_t pixels, const RenderSettings& settings, s
     return pixels * (one_block ? 1u : 2u) * ((layers + 1) * sizeof(Rgb) + features_bytes);
 }
 
-/// What one kind of eye takes on the device.
-void add_device(const RenderSettings& settings, const std::string& layer, std::uint64_t eyes, bool occluders, std::uint32_t lights, std::vector<MemoryReport>& memory)
+/// Tables of what lies along lights and eye segments.
+void add_tables(const std::string& layer, std::uint64_t segments, std::uint32_t features, std::uint32_t lights, std::vector<MemoryReport>& memory)
 {
+    if (!(features & feature_bit::heterogeneous)) return;
+    const std::uint64_t channels = features & feature_bit::coloured_grids ? 3 : 1;
+    memory.push_back({layer + ": tables of density grids", (segments + lights) * 65 * channels * sizeof(float), true});
+}
+
+/// What one kind of eye takes on the device.
+void add_device(const RenderSettings& settings, const std::string& layer, std::uint64_t pixels, std::uint32_t features, std::uint32_t lights, std::vector<MemoryReport>& memory)
+{
+    const std::uint64_t eyes = std::min<std::uint64_t>(pixels, eyes_at_a_time(features));
+    const bool occluders = features & feature_bit::occluders;
+    add_tables(layer, layer == "media_to_media" ? eyes : 0, features, lights, memory);
     constexpr std::uint64_t sums = 6 * sizeof(float), packet = sizeof(ShadowPacket) / SHADOW_PACKET_SIZE, contribution = 3 * sizeof(float);
     memory.push_back({layer + ": eyes and their sums", eyes * (sizeof(EyeSegment) + sums), true});
     memory.push_back({layer + ": virtual lights", lights * light_technique("virtual_ray_light").record_bytes, true});
@@ -35,16 +46,18 @@ void add_device(const RenderSettings& settings, const std::string& layer, std::u
 
 }  // namespace
 
+std::size_t eyes_at_a_time(std::uint32_t features) { return features & feature_bit::heterogeneous ? 1u << 16 : 1u << 19; }
+
 std::vector<MemoryReport> estimate_memory(const Scene& scene, const RenderSettings& settings, const LayerPlan& plan, const BuildMasks& masks, std::uint32_t lights)
 {
     const std::uint64_t pixels = static_cast<std::uint64_t>(scene.camera.crop_width) * static_cast<std::uint64_t>(scene.camera.crop_height);
     std::vector<MemoryReport> memory{{"film", film_bytes(pixels, settings, plan.rendered().size())},
                                      {"image of a pass", pixels * (plan.rendered().size() * sizeof(Rgb) + features_bytes)}};
     if (!plan.virtual_lights()) return memory;
-    const std::uint64_t kinds = (plan.media_to_media ? 1u : 0u) + (plan.media_to_surface ? 1u : 0u), eyes = std::min<std::uint64_t>(pixels, eye_chunk);
+    const std::uint64_t kinds = (plan.media_to_media ? 1u : 0u) + (plan.media_to_surface ? 1u : 0u);
     memory.push_back({"eye segments and eye points", pixels * kinds * sizeof(EyeSegment)});
-    if (plan.media_to_media) add_device(settings, "media_to_media", eyes, masks.media_to_media & feature_bit::occluders, lights, memory);
-    if (plan.media_to_surface) add_device(settings, "media_to_surface", eyes, masks.media_to_surface & feature_bit::occluders, lights, memory);
+    if (plan.media_to_media) add_device(settings, "media_to_media", pixels, masks.media_to_media, lights, memory);
+    if (plan.media_to_surface) add_device(settings, "media_to_surface", pixels, masks.media_to_surface, lights, memory);
     return memory;
 }
 

@@ -7,7 +7,8 @@
 
 namespace tyndall {
 
-inline constexpr std::size_t eye_chunk = 1u << 19;  ///< eyes on the device at a time: 32 MiB of records
+/// Eyes on the device at a time, a multiple of eye_alignment: 32 MiB of records; with tables of what lies along them 16 MiB (48 MiB) of those.
+std::size_t eyes_at_a_time(std::uint32_t features);
 
 /// Film, pass image and eye records on the host; eyes, lights, sums and tiles on the device. `lights`: per pass, aimed at. One eye segment and one eye point per
 /// pixel are assumed: mirrors, glass and several containers make more.

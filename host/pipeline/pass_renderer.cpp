@@ -97,7 +97,7 @@ std::unique_ptr<PassRenderer::Connector> PassRenderer::make_connector(EyeKind ki
 {
     const int lanes = lanes_of(settings_, *device_);
     PairProgram program = pair_program(scene_, settings_, kind, masks_, lanes);
-    program.light = std::string(technique_.name);
+    program.light = std::string(technique_.name), program.light_bytes = static_cast<std::uint32_t>(technique_.record_bytes);
     const std::uint32_t limit = max_depth_ < 0 ? 0xffffffffu : static_cast<std::uint32_t>(std::max(max_depth_ - 1, 0));
     const ConnectSettings connect{.features = program.features, .samples = program.samples, .vertex_limit = limit, .tile_pairs = settings_.tile_pairs, .lanes = lanes};
     return std::make_unique<Connector>(PairStage(*device_, program, media_tables(scene_, features_)), connect);
@@ -105,9 +105,10 @@ std::unique_ptr<PassRenderer::Connector> PassRenderer::make_connector(EyeKind ki
 
 void PassRenderer::connect(Connector& connector, const EyeRecords& eyes, EyeKind kind, const VirtualLights& lights, std::vector<Rgb>& image)
 {
+    const std::size_t most = eyes_at_a_time(connector.settings.features);
     const auto add = [&](const auto& records) {
-        for (std::size_t first = 0; first < records.size(); first += eye_chunk) {
-            const auto chunk = std::span(records).subspan(first, std::min(eye_chunk, records.size() - first));
+        for (std::size_t first = 0; first < records.size(); first += most) {
+            const auto chunk = std::span(records).subspan(first, std::min(most, records.size() - first));
             const auto eyes_here = padded(chunk);
             const std::vector<double> sums = connect_pairs(connector.stage, visibility_, batch_of(eyes_here), {lights.records, lights.count}, connector.settings, counts_);
             for (std::size_t i = 0; i < chunk.size(); ++i)
@@ -169,6 +170,7 @@ void PassRenderer::fill(Report& report) const
     report.ledger.runaway_walks = visibility_.runaway_walks();
     report.ledger.unsafe_shadow_segments = visibility_.invalid_rays();
     report.effects = effect_reports(features_);
+    report.grids = grid_transmittance(settings_, plan_, masks_);
     add_savings(report);
     if (!device_) return;
     report.programs = device_->programs_built();
@@ -186,7 +188,8 @@ void PassRenderer::fill(Report& report) const
         report.ledger.not_finite_pairs += ledger.not_finite, report.ledger.floored_pairs += ledger.floored;
         if (ledger.not_finite)
             report.ledger.first_cases.push_back(std::string(layer) + ": eye " + std::to_string(ledger.first_eye) + ", light sample " + std::to_string(ledger.first_counter));
-        for (const auto& [stage, seconds] : {std::pair("gather_lights", timings.gather), std::pair("sample_pairs", timings.sample), std::pair("accumulate_pairs", timings.accumulate)})
+        for (const auto& [stage, seconds] : {std::pair("gather_lights", timings.gather), std::pair("sample_pairs", timings.sample), std::pair("accumulate_pairs", timings.accumulate),
+                                            std::pair("tabulate_grids", timings.tabulate)})
             if (seconds > 0) report.stages.push_back({std::string(layer) + "." + stage, seconds, timings.launches});
     }
     if (counts_.shadow_segments) report.stages.push_back({"shadow_segments", counts_.visibility_seconds, counts_.shadow_segments});

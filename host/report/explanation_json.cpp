@@ -80,6 +80,7 @@ std::string to_json(const Explanation& e)
     json["effects"] = effects_of(e);
     json["layers"] = layers_of(e);
     json["kernels"] = kernels_of(e);
+    json["density_grids"] = e.grids.empty() ? Json(nullptr) : Json(e.grids);
     json["memory"] = memory_of(e);
     json["savings"] = savings_of(e);
     json["calibration"] = calibration_of(e);

@@ -64,6 +64,11 @@ void add_effects(Text& table, const Report& report)
     line(table, "not in the scene", "{}", absent.empty() ? "none" : absent.substr(1));
 }
 
+void add_grids(Text& table, const Report& report)
+{
+    if (!report.grids.empty()) line(table, "density grids", "{}", report.grids);
+}
+
 void add_prediction(Text& table, const Report& report)
 {
     if (!report.prediction) return;
@@ -110,6 +115,7 @@ std::string to_table(const Report& report)
     add_prediction(table, report);
     add_counts(table, report);
     add_effects(table, report);
+    add_grids(table, report);
     add_savings(table, report);
     add_layers(table, report);
     add_stages(table, report);

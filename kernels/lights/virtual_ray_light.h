@@ -52,29 +52,44 @@ PURE real3 scale3(real3 a, real s) { return make_real3(a.x * s, a.y * s, a.z * s
 PURE real3 transmittance3(real3 depth)
 {
     real first = transmittance(depth.x);
-    if (!COLOURED) return make_real3(first, first, first);
+    if (!(COLOURED | COLOURED_GRIDS)) return make_real3(first, first, first);
     return make_real3(first, transmittance(depth.y), transmittance(depth.z));
 }
 
-/// Exponents (to be negated) and divisor of the transmittance along a light up to v: long lights transmit exp(-sigma_t v) and divide by 1; short ones
-/// divide by the probability that the sampled distance is beyond v, sum_j channel_j exp(-sigma_j v). Both are taken relative to the smallest
-/// extinction that can have been chosen, so that neither underflows alone.
+/// Optical depths up to a point beyond the least of a channel that can have been chosen; 0 for channels that are less and cannot.
+PURE real3 beyond_least(VirtualRayLight light, MediumRecord medium, real3 path)
+{
+    if (COLOURED_GRIDS) {
+        real3 sigma = make_real3((real)medium.sigma_t_r, (real)medium.sigma_t_g, (real)medium.sigma_t_b), depth = mul3(sigma, path);
+        real low = light.channel_r > 0.0f ? depth.x : R(3e38), low_sigma = sigma.x, low_path = path.x;
+        mask green = (light.channel_g > 0.0f ? depth.y : R(3e38)) < low;
+        low = select(low, depth.y, green), low_sigma = select(low_sigma, sigma.y, green), low_path = select(low_path, path.y, green);
+        mask blue = (light.channel_b > 0.0f ? depth.z : R(3e38)) < low;
+        low_sigma = select(low_sigma, sigma.z, blue), low_path = select(low_path, path.z, blue);
+        return make_real3(fmax(difference_of_products(sigma.x, path.x, low_sigma, low_path), R(0.0)),
+                          fmax(difference_of_products(sigma.y, path.y, low_sigma, low_path), R(0.0)),
+                          fmax(difference_of_products(sigma.z, path.z, low_sigma, low_path), R(0.0)));
+    }
+    float huge = 3e38f;
+    float low = fmin(light.channel_r > 0.0f ? medium.sigma_t_r : huge,
+                     fmin(light.channel_g > 0.0f ? medium.sigma_t_g : huge, light.channel_b > 0.0f ? medium.sigma_t_b : huge));
+    return make_real3((real)fmax(medium.sigma_t_r - low, 0.0f) * path.x, (real)fmax(medium.sigma_t_g - low, 0.0f) * path.x, (real)fmax(medium.sigma_t_b - low, 0.0f) * path.x);
+}
+
+/// Exponents (to be negated) and divisor of the transmittance along a light up to a point: long lights transmit exp(-depth) and divide by 1; short ones
+/// divide by the probability that the sampled distance is beyond the point, sum_j channel_j exp(-depth_j). Both are taken relative to the smallest
+/// depth of a channel that can have been chosen, so that neither underflows alone. `path`: what the light passed up to there (Matter::path).
 typedef struct {
     real3 depth;
     real divisor;
 } AlongLight;
-PURE AlongLight along_light(VirtualRayLight light, MediumRecord medium, real v)
+PURE AlongLight along_light(VirtualRayLight light, MediumRecord medium, real3 path)
 {
     AlongLight along;
-    real3 sigma = make_real3((real)medium.sigma_t_r, (real)medium.sigma_t_g, (real)medium.sigma_t_b);
-    along.depth = scale3(sigma, v);
+    along.depth = mul3(make_real3((real)medium.sigma_t_r, (real)medium.sigma_t_g, (real)medium.sigma_t_b), path);
     along.divisor = R(1.0);
     if (SHORT_LIGHTS && light.is_short != 0u) {
-        float huge = 3e38f;
-        float low = fmin(light.channel_r > 0.0f ? medium.sigma_t_r : huge,
-                         fmin(light.channel_g > 0.0f ? medium.sigma_t_g : huge, light.channel_b > 0.0f ? medium.sigma_t_b : huge));
-        along.depth = make_real3((real)fmax(medium.sigma_t_r - low, 0.0f) * v, (real)fmax(medium.sigma_t_g - low, 0.0f) * v,
-                                 (real)fmax(medium.sigma_t_b - low, 0.0f) * v);
+        along.depth = beyond_least(light, medium, path);
         real3 survive = transmittance3(along.depth);
         along.divisor = fma((real)light.channel_r, survive.x, fma((real)light.channel_g, survive.y, (real)light.channel_b * survive.z));
     }
@@ -109,8 +124,36 @@ PURE Places place_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, Virtua
     return places;
 }
 
-/// Step 3: everything but the transmittance of the connection (kernels/README.md).
-PURE Connection connect_segment_at(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, Places at)
+/// Steps 1 and 2 for places that another density has drawn: the weight that the two would have given them.
+PURE RodSample find_on_light(EyeSegmentLanes eye, VirtualRayLight light, real v)
+{
+    return rod_at(sub3(light_origin(light), eye.origin), eye.direction, light_direction(light), (real)light.length, v);
+}
+PURE Places find_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, RodSample rod, real u)
+{
+    real3 b = light_direction(light), p = along3(sub3(light_origin(light), eye.origin), rod.v, b);
+    real density = R(1.0);
+    if (ANISOTROPIC) {
+        if (SAMPLER == SAMPLER_PAPER)
+            density = pdf_phase_product(p, eye.direction, eye.length, b, eye_medium.g, (real)medium.g, invert_equiangular(p, eye.direction, eye.length, u));
+    }
+    Places places;
+    places.v = rod.v, places.u = u;
+    places.weight = pair_weight(rod, angle_at(p, eye.direction, eye.length, u)) / density;
+    places.floored = rod.floor_ratio > R(1.0);
+    return places;
+}
+
+/// The places with the weight that they have when with the chance `share` they are drawn with density `other`, per area of u and v, instead.
+PURE Places share_places(EyeSegmentLanes eye, VirtualRayLight light, Places at, real other, real share)
+{
+    real3 d = along3(along3(sub3(light_origin(light), eye.origin), at.v, light_direction(light)), -at.u, eye.direction);
+    at.weight = shared_weight(at.weight, other * dot3(d, d), share);   // weight = 1 / (w^2 pdf)
+    return at;
+}
+
+/// Step 3: everything but the transmittance of the connection (kernels/README.md). on_eye, on_light: what lies along both up to the places.
+PURE Connection connect_segment_at(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, Places at, Matter on_eye, Matter on_light)
 {
     real3 b = light_direction(light), q = sub3(light_origin(light), eye.origin), p = along3(q, at.v, b);
     real3 d = along3(p, -at.u, eye.direction);                    // from the eye segment to the light
@@ -125,20 +168,22 @@ PURE Connection connect_segment_at(EyeSegmentLanes eye, MediumLanes eye_medium, 
         phase = phase_henyey_greenstein(b, towards_eye, (real)medium.g) *
                 phase_henyey_greenstein(towards_eye, scale3(eye.direction, R(-1.0)), eye_medium.g);
     }
-    AlongLight along = along_light(light, medium, at.v);
-    real3 depth = make_real3(fma(eye_medium.sigma_t.x, at.u, along.depth.x), fma(eye_medium.sigma_t.y, at.u, along.depth.y),
-                             fma(eye_medium.sigma_t.z, at.u, along.depth.z));
+    AlongLight along = along_light(light, medium, on_light.path);
+    real3 depth = make_real3(fma(eye_medium.sigma_t.x, on_eye.path.x, along.depth.x), fma(eye_medium.sigma_t.y, on_eye.path.y, along.depth.y),
+                             fma(eye_medium.sigma_t.z, on_eye.path.z, along.depth.z));
     real3 scattering = mul3(eye_medium.sigma_s, make_real3((real)(medium.sigma_s_r * light.flux_r), (real)(medium.sigma_s_g * light.flux_g),
                                                            (real)(medium.sigma_s_b * light.flux_b)));
+    if (HETEROGENEOUS) scattering = mul3(scattering, mul3(on_eye.scattering, on_light.scattering));
     c.radiance = scale3(mul3(mul3(scattering, eye.throughput), transmittance3(depth)), at.weight * phase / along.divisor);
     return c;
 }
 
-/// The three steps for one pair.
+/// The three steps for one pair in homogeneous media.
 PURE Connection connect_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, Random2 xi)
 {
     RodSample rod = place_on_light(eye, light, xi.first);
-    return connect_segment_at(eye, eye_medium, light, medium, place_on_segment(eye, eye_medium, light, medium, rod, xi.second));
+    Places at = place_on_segment(eye, eye_medium, light, medium, rod, xi.second);
+    return connect_segment_at(eye, eye_medium, light, medium, at, even_matter(at.u), even_matter(at.v));
 }
 
 /// A point on a diffuse surface, in two steps. The first: cosine-weighted density over the light in closed form (kernels/README.md).
@@ -147,8 +192,24 @@ PURE SurfaceRodSample place_on_light_from_point(EyePointLanes eye, VirtualRayLig
     return sample_surface_rod(sub3(light_origin(light), eye.position), light_direction(light), (real)light.length, eye.normal, xi);
 }
 
+/// The first for a place that another density has drawn.
+PURE SurfaceRodSample find_on_light_from_point(EyePointLanes eye, VirtualRayLight light, real v)
+{
+    return surface_rod_at(sub3(light_origin(light), eye.position), light_direction(light), (real)light.length, eye.normal, v);
+}
+
+/// The place with the weight that it has when with the chance `share` it is drawn with density `other`, per length of v, instead.
+PURE SurfaceRodSample share_place(EyePointLanes eye, VirtualRayLight light, SurfaceRodSample at, real other, real share)
+{
+    real3 d = along3(sub3(light_origin(light), eye.position), at.v, light_direction(light));
+    real w2 = dot3(d, d), over = w2 * sqrt(w2), rise = dot3(eye.normal, d);                    // weight = rise / (over pdf)
+    mask above = rise > R(0.0);
+    at.weight = select(R(0.0), shared_weight(at.weight, other * over / select(R(1.0), rise, above), share), above);
+    return at;
+}
+
 /// The second: everything but the transmittance of the connection.
-PURE Connection connect_point_at(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, SurfaceRodSample rod)
+PURE Connection connect_point_at(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, SurfaceRodSample rod, Matter on_light)
 {
     real3 b = light_direction(light), d = along3(sub3(light_origin(light), eye.position), rod.v, b);
     Connection c;
@@ -158,17 +219,19 @@ PURE Connection connect_point_at(EyePointLanes eye, VirtualRayLight light, Mediu
     c.length = length3(d);
     real phase = phase_isotropic();
     if (ANISOTROPIC) phase = phase_henyey_greenstein(b, scale3(d, R(-1.0) / fmax(c.length, R(1e-30))), (real)medium.g);
-    AlongLight along = along_light(light, medium, rod.v);
+    AlongLight along = along_light(light, medium, on_light.path);
     real weight = select(R(0.0), rod.weight, dot3(d, eye.facing) > R(0.0));
     real3 scattering = make_real3((real)(medium.sigma_s_r * light.flux_r), (real)(medium.sigma_s_g * light.flux_g), (real)(medium.sigma_s_b * light.flux_b));
+    if (HETEROGENEOUS) scattering = mul3(scattering, on_light.scattering);
     c.radiance = scale3(mul3(mul3(scattering, eye.throughput), transmittance3(along.depth)), weight * phase / along.divisor);
     return c;
 }
 
-/// The two steps for one pair.
+/// The two steps for one pair in homogeneous media.
 PURE Connection connect_point(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, Random2 xi)
 {
-    return connect_point_at(eye, light, medium, place_on_light_from_point(eye, light, xi.first));
+    SurfaceRodSample at = place_on_light_from_point(eye, light, xi.first);
+    return connect_point_at(eye, light, medium, at, even_matter(at.v));
 }
 
 #endif

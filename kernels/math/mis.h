@@ -14,4 +14,8 @@ PURE real balance_weight(real p1, real p2)
     return select(ratio, R(1.0), larger) / (R(1.0) + ratio);
 }
 
+/// The weight 1 / p of a sample that one technique would have drawn with density p, when with the chance `share` another one draws instead, with density
+/// `other`: 1 / ((1 - share) p + share other), without 1 / weight. The result does not depend on which of the two drew. share = 0 gives `weight` itself (eq. 48).
+PURE real shared_weight(real weight, real other, real share) { return weight / fma(share, other * weight, R(1.0) - share); }
+
 #endif

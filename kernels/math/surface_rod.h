@@ -91,6 +91,16 @@ PURE SurfaceRodSample sample_surface_rod(real3 p, real3 b, real length, real3 n,
     return s;
 }
 
+/// What sample_surface_rod returns when it draws v in [0, length].
+PURE SurfaceRodSample surface_rod_at(real3 p, real3 b, real length, real3 n, real v)
+{
+    SurfaceRodFrame f = surface_rod_frame(p, b, length, n);
+    SurfaceRodSample s;
+    s.v = v;
+    s.weight = surface_rod_integral(f) / f.scale;
+    return s;
+}
+
 /// Density of sample_surface_rod at v, per unit of length; 0 below the horizon.
 PURE real pdf_surface_rod(real3 p, real3 b, real length, real3 n, real v)
 {

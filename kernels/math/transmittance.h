@@ -10,6 +10,19 @@ PURE real transmittance(real optical_depth) { return decay(optical_depth); }
 /// exp(reference - optical_depth): a ratio of transmittances both of which may underflow (eq. 19).
 PURE real transmittance_ratio(real optical_depth, real reference) { return exp(reference - optical_depth); }
 
+/// What a ray has passed up to a point and what scatters there, per channel, relative to the coefficients of its medium. Homogeneous: the distance, and 1.
+typedef struct {
+    real3 path;        ///< integral of the density from the ray's start to the point: times sigma_t it is the optical depth
+    real3 scattering;  ///< density x albedo at the point: what sigma_s is multiplied by
+} Matter;
+PURE Matter even_matter(real distance)
+{
+    Matter m;
+    m.path = make_real3(distance, distance, distance);
+    m.scattering = make_real3(R(1.0), R(1.0), R(1.0));
+    return m;
+}
+
 /// Distance in [0, length] with density proportional to exp(-sigma_t t), cut at `length` (eq. 20): no digit is lost for small optical depths,
 /// sigma_t = 0 gives xi length, length = infinity is allowed if sigma_t > 0. xi in [0, 1).
 PURE real sample_distance(real sigma_t, real length, real xi)

@@ -17,6 +17,7 @@ using uint = std::uint32_t;
 #include "kernels/shared/samplers.h"
 #include "kernels/shared/scene_features.h"
 #include "kernels/shared/shadow_packet.h"
+#include "kernels/shared/transmittance_modes.h"
 #pragma pop_macro("LAYOUT")
 
 }  // namespace tyndall

@@ -27,7 +27,34 @@ typedef SurfaceRodSample OnLight;
 typedef SurfaceRodSample OnBoth;
 static inline OnLight place_light(Eye eye, Light light, real xi) { return place_on_light_from_point(eye.geometry, light, xi); }
 static inline OnBoth place_eye(Eye eye, Light light, MediumRecord medium, OnLight on_light, real xi) { return on_light; }
-static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, OnBoth at) { return connect_point_at(eye.geometry, light, medium, at); }
+static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, OnBoth at, Matter on_eye, Matter on_light)
+{
+    return connect_point_at(eye.geometry, light, medium, at, on_light);
+}
+
+/// Nothing lies along a point.
+static inline Matter matter_to_eye(OnBoth at) { return even_matter(R(0.0)); }
+
+// Density grids: the same functions as for segments, with nothing along the eye.
+
+static inline OnLight find_light(Eye eye, Light light, real v) { return find_on_light_from_point(eye.geometry, light, v); }
+static inline OnBoth find_eye(Eye eye, const OpticalTable* table, Light light, MediumRecord medium, OnLight on_light, real xi) { return on_light; }
+static inline Passed passed_to_eye(Eye eye, const OpticalTable* table, OnBoth at)
+{
+    Passed none = {make_real3(R(0.0), R(0.0), R(0.0)), make_real3(R(0.0), R(0.0), R(0.0))};
+    return none;
+}
+static inline OnBoth share_pair(Eye eye, const OpticalTable* table, Light light, OnBoth at, Passed to_eye, real other, real share)
+{
+    return share_place(eye.geometry, light, at, other, share);
+}
+static inline Matter matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, OnBoth at, real3 path) { return even_matter(R(0.0)); }
+static inline real3 exact_path_to_eye(Surroundings s, const MediaOfGroup* media, Eye eye, const OpticalTable* table, OnBoth at)
+{
+    return make_real3(R(0.0), R(0.0), R(0.0));
+}
+
+enum { EYES_HAVE_TABLES = 0 };
 
 /// Where its connections start.
 static inline real3 eye_position(Eye eye) { return eye.geometry.position; }

@@ -32,10 +32,48 @@ static inline OnBoth place_eye(Eye eye, Light light, MediumRecord medium, OnLigh
 {
     return place_on_segment(eye.geometry, eye.medium, light, medium, on_light, xi);
 }
-static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, OnBoth at)
+static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, OnBoth at, Matter on_eye, Matter on_light)
 {
-    return connect_segment_at(eye.geometry, eye.medium, light, medium, at);
+    return connect_segment_at(eye.geometry, eye.medium, light, medium, at, on_eye, on_light);
 }
+
+/// What lies along an eye in homogeneous media.
+static inline Matter matter_to_eye(OnBoth at) { return even_matter(at.u); }
+
+// Density grids.
+
+/// A place on the light that its table drew, and one on the eye that its own draws, weighed as if the light had placed them.
+static inline OnLight find_light(Eye eye, Light light, real v) { return find_on_light(eye.geometry, light, v); }
+static inline OnBoth find_eye(Eye eye, const OpticalTable* table, Light light, MediumRecord medium, OnLight on_light, real xi)
+{
+    real u = sample_matter(*table, eye.medium.sigma_t, eye.geometry.length, 0u, xi);
+    return find_on_segment(eye.geometry, eye.medium, light, medium, on_light, u);
+}
+
+static inline Passed passed_to_eye(Eye eye, const OpticalTable* table, OnBoth at) { return passed(*table, at.u, eye.geometry.length); }
+
+/// The places with their weight under both ways of drawing; `other`: density of the table on the light.
+static inline OnBoth share_pair(Eye eye, const OpticalTable* table, Light light, OnBoth at, Passed to_eye, real other, real share)
+{
+    real total = table_depth(*table, eye.medium.sigma_t, (real)(float)TABLE_INTERVALS);
+    return share_places(eye.geometry, light, at, other * pdf_matter(to_eye, eye.medium.sigma_t, total, 0u), share);
+}
+
+/// What scatters at the eye's end of the connection.
+static inline Matter matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, OnBoth at, real3 path)
+{
+    Matter m = {path, scattering_of_group(s, media, along3(eye.geometry.origin, at.u, eye.geometry.direction))};
+    return m;
+}
+
+/// The path from the eye's table, with its interval walked cell by cell.
+static inline real3 exact_path_to_eye(Surroundings s, const MediaOfGroup* media, Eye eye, const OpticalTable* table, OnBoth at)
+{
+    real3 way = scale3(eye.geometry.direction, at.u);
+    return exact_path_of_group(s, media, eye.geometry.origin, way, at.u);
+}
+
+enum { EYES_HAVE_TABLES = 1 };
 
 /// Where its connections start: all of a segment is inside the container whose medium it is in.
 static inline real3 eye_position(Eye eye) { return along3(eye.geometry.origin, R(0.5) * eye.geometry.length, eye.geometry.direction); }

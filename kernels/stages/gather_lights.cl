@@ -2,14 +2,15 @@
 #include "kernels/stages/pair_stage.h"
 
 __kernel void gather_lights(__global const EyeRecord* eyes, uint first_group, uint groups, __global const Light* lights, uint first, uint count,
-                            uint samples, uint vertex_limit, SURROUNDINGS_PARAMETERS, __global float* sums, __global uint* ledger)
+                            uint samples, uint vertex_limit, SURROUNDINGS_PARAMETERS, TABLES_PARAMETERS,
+                            __global float* sums, __global uint* ledger)
 {
     if (get_global_id(0) >= groups) return;
     uint group = first_group + get_global_id(0);
     Surroundings s = SURROUNDINGS;
     Eye eye = load_eye(eyes, group, s);
-    FacingPlanes facing;
-    find_facing_planes(&facing, s, eye_position(eye));
+    EyeGroup around;
+    find_group(&around, s, eye, eyes, group);
     LongSum3 sum = load_sums(sums, group);
     for (uint block = first; block < first + count; block += LIGHT_BLOCK) {
         real3 partial = make_real3(R(0.0), R(0.0), R(0.0));
@@ -17,9 +18,9 @@ __kernel void gather_lights(__global const EyeRecord* eyes, uint first_group, ui
         for (uint pair = block * samples; pair < end; pair += PAIR_BATCH) {
             OnBoth places[PAIR_BATCH];
             uint batch = min((uint)PAIR_BATCH, end - pair);
-            place_pairs(places, eye, lights, s, pair, batch, samples);
+            place_pairs(places, eye, &around, lights, s, pair, batch, samples);
             for (uint i = 0; i < batch; ++i)
-                partial = add3(partial, connect_counted(eye, &facing, lights[(pair + i) / samples], s, places[i], vertex_limit, pair + i, ledger, group).radiance);
+                partial = add3(partial, connect_counted(eye, &around, lights, s, places[i], samples, vertex_limit, pair + i, ledger).radiance);
         }
         sum = add_block(sum, partial);
     }

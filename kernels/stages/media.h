@@ -1,6 +1,8 @@
-// Media of a group of eyes.
+// Media of a light and of a group of eyes.
 #ifndef MEDIA_H
 #define MEDIA_H
+
+static inline MediumRecord medium_of(Surroundings s, Light light) { return s.media[MANY_MEDIA ? light.medium : 0u]; }
 
 /// Media chosen per lane.
 static inline MediumLanes load_media(__global const MediumRecord* media, bits index)

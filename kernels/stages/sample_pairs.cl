@@ -2,7 +2,8 @@
 #include "kernels/stages/pair_stage.h"
 
 __kernel void sample_pairs(__global const EyeRecord* eyes, uint first_group, uint groups, __global const Light* lights, uint first, uint count,
-                           uint samples, uint vertex_limit, SURROUNDINGS_PARAMETERS, __global ShadowPacket* packets, __global float* contributions,
+                           uint samples, uint vertex_limit, SURROUNDINGS_PARAMETERS, TABLES_PARAMETERS,
+                            __global ShadowPacket* packets, __global float* contributions,
                            __global uint* ledger)
 {
     uint local_group = get_global_id(0), pairs = count * samples;
@@ -10,15 +11,15 @@ __kernel void sample_pairs(__global const EyeRecord* eyes, uint first_group, uin
     uint group = first_group + local_group;
     Surroundings s = SURROUNDINGS;
     Eye eye = load_eye(eyes, group, s);
-    FacingPlanes facing;
-    find_facing_planes(&facing, s, eye_position(eye));
+    EyeGroup around;
+    find_group(&around, s, eye, eyes, group);
     uint packet_row = local_group * LANES / SHADOW_PACKET_SIZE * pairs, offset = local_group * LANES % SHADOW_PACKET_SIZE;
     for (uint pair = 0; pair < pairs; pair += PAIR_BATCH) {
         OnBoth places[PAIR_BATCH];
         uint batch = min((uint)PAIR_BATCH, pairs - pair), counter = first * samples + pair;
-        place_pairs(places, eye, lights, s, counter, batch, samples);
+        place_pairs(places, eye, &around, lights, s, counter, batch, samples);
         for (uint i = 0; i < batch; ++i) {
-            Connection c = connect_counted(eye, &facing, lights[(counter + i) / samples], s, places[i], vertex_limit, counter + i, ledger, group);
+            Connection c = connect_counted(eye, &around, lights, s, places[i], samples, vertex_limit, counter + i, ledger);
             __global float* contribution = contributions + (local_group * pairs + pair + i) * 3u * LANES;
             store_lanes(c.radiance.x, 0, contribution), store_lanes(c.radiance.y, 1, contribution), store_lanes(c.radiance.z, 2, contribution);
             store_shadow_segment(c, packets + packet_row + pair + i, offset);

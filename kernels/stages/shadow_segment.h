@@ -11,7 +11,7 @@ static inline void store_shadow_segment(Connection c, __global ShadowPacket* pac
 {
     real3 d = sub3(c.to, c.from), zero = make_real3(R(0.0), R(0.0), R(0.0));
     real margin = ENDPOINT_ROUNDING / c.length;
-    mask ask = (c.radiance.x + c.radiance.y + c.radiance.z > R(0.0)) & (margin < R(0.5)) & to_mask(isfinite(d.x + d.y + d.z + c.from.x + c.from.y + c.from.z));
+    mask ask = (fabs(c.radiance.x) + fabs(c.radiance.y) + fabs(c.radiance.z) > R(0.0)) & (margin < R(0.5)) & to_mask(isfinite(d.x + d.y + d.z + c.from.x + c.from.y + c.from.z));
     real3 from = select3(zero, c.from, ask);
     d = select3(make_real3(R(0.0), R(0.0), R(1.0)), d, ask);
     store_lanes(from.x, 0, packet->origin_x + offset), store_lanes(from.y, 0, packet->origin_y + offset), store_lanes(from.z, 0, packet->origin_z + offset);

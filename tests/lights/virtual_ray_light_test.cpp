@@ -208,7 +208,8 @@ TEST(VirtualRayLight, ShortWeightsAreBoundedByTheShareOfTheChannel)
     for (int i = 0; i < 2000; ++i) {
         Pair p = plain::as_float(plain::random_pair(engine, 0, true));
         p.sigma_t *= 40.0;  // transmittances down to e^-100 and far apart between channels
-        const maths_float::AlongLight along = maths_float::along_light(light_of<maths_float::VirtualRayLight>(p), medium_of(p), uniform(engine) * float(p.light_length));
+        const float v = uniform(engine) * float(p.light_length);
+        const maths_float::AlongLight along = maths_float::along_light(light_of<maths_float::VirtualRayLight>(p), medium_of(p), {v, v, v});
         for (int c = 0; c < 3; ++c) {
             const double weight = std::exp(-double(c == 0 ? along.depth.x : c == 1 ? along.depth.y : along.depth.z)) / along.divisor;
             EXPECT_LE(weight * p.share[c], 1 + 1e-5) << "balance heuristic over channels: share x weight <= 1";

@@ -22,6 +22,12 @@ enum class Sampler {
     paper,            ///< rod-potential marginal, conditional in proportion to the product of the phase functions
 };
 
+/// How the transmittance through density grids is found (host/docs/features.md). Both are unbiased.
+enum class GridTransmittance {
+    march,  ///< tables and a jittered march with an exact correction now and then; single contributions can be negative
+    exact,  ///< cell by cell for every pair
+};
+
 struct Crop {
     int x = 0, y = 0, width = 0, height = 0;
 };
@@ -39,6 +45,7 @@ struct RenderSettings {
     LightSegments light_segments = LightSegments::all;
     SegmentLength segment_length = SegmentLength::long_;
     Sampler sampler = Sampler::automatic;
+    GridTransmittance transmittance = GridTransmittance::march;
     std::optional<std::uint32_t> features;  ///< mask of kernels/shared/scene_features.h for all kernels; none: what the scene calls for
     std::string device;                ///< index, substring of the name, or platform:device; empty: the default device
     int lanes = 0;                     ///< 1, 4, 8, 16; 0: chosen by fixed rule from the device

@@ -1,0 +1,45 @@
+// What the connections of a group of LANES eyes have in common.
+#ifndef EYE_GROUP_H
+#define EYE_GROUP_H
+
+/// Choices that all eyes of a group share for one pair are made for groups of so many neighbours, so that they do not depend on the lane width.
+#define EYE_GROUP 16u
+
+typedef struct {
+    uint number;             ///< of the group of LANES
+    FacingPlanes facing;
+    // Density grids, unspecified without them:
+    MediaOfGroup media;
+    OpticalTable table;      ///< what lies along the eye segments
+    uint key;                ///< of the first eye of the group of EYE_GROUP
+    float depth;             ///< mean grey optical depth of the eye segments of the group of EYE_GROUP; 0 for points
+} EyeGroup;
+
+/// Mean of the optical depths of the EYE_GROUP eyes whose tables begin at `table`.
+static inline float mean_depth(Surroundings s, __global const EyeRecord* eyes, __global const float* table)
+{
+    float sum = 0.0f;
+    for (uint i = 0; i < EYE_GROUP; ++i) {
+        MediumRecord m = s.media[MANY_MEDIA ? eyes[i].medium : 0u];
+        __global const float* end = table + TABLE_INTERVALS * EYE_GROUP + i;
+        float red = end[0], green = COLOURED_GRIDS ? end[TABLE_NODES * EYE_GROUP] : red, blue = COLOURED_GRIDS ? end[2u * TABLE_NODES * EYE_GROUP] : red;
+        sum += m.sigma_t_r * red + m.sigma_t_g * green + m.sigma_t_b * blue;
+    }
+    return sum / (3.0f * (float)EYE_GROUP);
+}
+
+static inline void find_group(EyeGroup* around, Surroundings s, Eye eye, __global const EyeRecord* eyes, uint group)
+{
+    around->number = group;
+    find_facing_planes(&around->facing, s, eye_position(eye));
+    if (!HETEROGENEOUS) return;
+    uint first = group * LANES / EYE_GROUP * EYE_GROUP;
+    around->key = eyes[first].key, around->depth = 0.0f;
+    if (!EYES_HAVE_TABLES) return;
+    around->media = media_of_group(eye.medium_index);
+    around->table.first = s.eye_tables + (size_t)first * TABLE_FLOATS, around->table.stride = EYE_GROUP;
+    around->table.lane = lane_index(0) + (group * LANES - first);
+    around->depth = mean_depth(s, eyes + first, around->table.first);
+}
+
+#endif
