@@ -35,6 +35,15 @@ TEST_P(ShippedScene, RendersWithAnEmptyLedger)
         }
 }
 
+TEST_P(ShippedScene, RendersWithAnEmptyLedgerByEverySamplerAndLaneWidth)
+{
+    Scene scene = load_scene(GetParam());
+    scene.camera.width = scene.camera.height = scene.camera.crop_width = scene.camera.crop_height = 16;
+    scene.camera.crop_x = scene.camera.crop_y = 0;
+    for (const auto& [sampler, lanes] : {std::pair(Sampler::paper_isotropic, 16), std::pair(Sampler::paper, 16), std::pair(Sampler::paper, 1)})
+        render_whole(scene, {.passes = 2, .lights = 256, .sampler = sampler, .lanes = lanes});  // which expects it
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, ShippedScene, testing::ValuesIn(shipped_scenes()),
                          [](const auto& info) { return info.param.parent_path().filename().string(); });
 
