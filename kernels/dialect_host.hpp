@@ -13,13 +13,15 @@
 ///     }
 ///
 /// What x.h itself includes from kernels/math is skipped then, because its guards stay defined. Records that cross the border
-/// (kernels/shared) belong in namespace tyndall, once: include them before, outside both namespaces.
+/// (kernels/shared) belong in namespace tyndall, once: they are included before, outside both namespaces.
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <type_traits>
+
+#include "kernels/shared/records.hpp"
 
 #define REAL float
 namespace tyndall::maths_float {
@@ -36,6 +38,7 @@ namespace tyndall::maths_float {
 #undef PAIR_WEIGHT_H
 #undef PHASE_FUNCTION_H
 #undef PHASE_PRODUCT_H
+#undef PHASE_LOBES_H
 #undef TRANSMITTANCE_H
 #undef SURFACE_ROD_H
 #undef LINEAR_PIECE_H

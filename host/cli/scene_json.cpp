@@ -18,16 +18,29 @@ Json medium_name(const Scene& scene, int medium)
     return medium == vacuum ? Json(nullptr) : Json(scene.media[static_cast<std::size_t>(medium)].name);
 }
 
+/// Named as in the scene file; a table tells how many values it has, a blend its parts.
+Json phase_of(const PhaseFunction& phase)
+{
+    constexpr std::array types{"isotropic", "hg", "rayleigh", "tabphase", "blendphase"};
+    Json json{{"phase", types[static_cast<std::size_t>(phase.type)]}, {"g", phase.g}};
+    if (phase.type == PhaseFunction::Type::table) json["values"] = phase.values.size();
+    for (const PhaseFunction& part : phase.parts) {
+        json["parts"].push_back({{"weight", part.weight}});
+        json["parts"].back().update(phase_of(part));
+    }
+    return json;
+}
+
 Json media_of(const Scene& scene)
 {
     Json media = Json::array();
-    for (const auto& medium : scene.media)
+    for (const auto& medium : scene.media) {
         media.push_back({{"name", medium.name},
                          {"where", to_string(medium.where)},
                          {"sigma_t", json_of(medium.sigma_t / scene.unit)},
-                         {"albedo", json_of(medium.albedo)},
-                         {"phase", medium.phase.type == PhaseFunction::Type::isotropic ? "isotropic" : "hg"},
-                         {"g", medium.phase.g}});
+                         {"albedo", json_of(medium.albedo)}});
+        media.back().update(phase_of(medium.phase));
+    }
     return media;
 }
 

@@ -6,13 +6,24 @@
 #include "kernels/shared/records.hpp"
 
 namespace tyndall {
+namespace {
+
+/// |g|; of a blend the root mean square over its parts, so that forward and backward lobes do not cancel.
+double unevenness(const PhaseFunction& phase)
+{
+    double square = phase.parts.empty() ? phase.g * phase.g : 0;
+    for (const PhaseFunction& part : phase.parts) square += part.weight * part.g * part.g;
+    return std::sqrt(square);
+}
+
+}  // namespace
 
 int choose_sampler(const Scene& scene, Sampler wanted)
 {
-    constexpr double product_wins_from = .5;  // |g|
+    constexpr double product_wins_from = .5;  // unevenness
     if (wanted == Sampler::paper_isotropic) return SAMPLER_PAPER_ISOTROPIC;
     if (wanted == Sampler::paper) return SAMPLER_PAPER;
-    const bool uneven = std::any_of(scene.media.begin(), scene.media.end(), [](const Medium& m) { return std::abs(m.phase.g) >= product_wins_from; });
+    const bool uneven = std::any_of(scene.media.begin(), scene.media.end(), [](const Medium& m) { return unevenness(m.phase) >= product_wins_from; });
     return uneven ? SAMPLER_PAPER : SAMPLER_PAPER_ISOTROPIC;
 }
 

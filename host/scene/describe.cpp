@@ -5,6 +5,7 @@
 #include <array>
 #include <numbers>
 
+#include "scene/phases.hpp"
 #include "scene/render_space.hpp"
 #include "scene/text.hpp"
 
@@ -67,10 +68,8 @@ std::string camera_words(const Scene& scene)
 
 std::string medium_words(const Scene& scene, const Medium& medium)
 {
-    const std::string phase =
-        medium.phase.type == PhaseFunction::Type::isotropic ? "isotropic" : fmt::format("Henyey-Greenstein g = {:.6g}", medium.phase.g);
     return fmt::format("medium     {}: sigma_t {}, albedo {}, {}; optical thickness across the scene {}\n", in_quotes(medium.name),
-                       words(medium.sigma_t / scene.unit), words(medium.albedo), phase, words(medium.sigma_t * diagonal(scene)));
+                       words(medium.sigma_t / scene.unit), words(medium.albedo), phase_words(medium.phase), words(medium.sigma_t * diagonal(scene)));
 }
 
 std::string shape_words(const Scene& scene, const Shape& shape)

@@ -21,10 +21,16 @@ struct SourceLocation {
 /// "file:line:column" (or "scene built in memory").
 std::string to_string(const SourceLocation& where);
 
+/// A distribution over mu, the cosine between the directions of travel before and after: 1 is straight on. What is not isotropic or Henyey and
+/// Greenstein's is made by scene/phases.hpp.
 struct PhaseFunction {
-    enum class Type { isotropic, henyey_greenstein };
+    enum class Type { isotropic, henyey_greenstein, rayleigh, table, blend };
     Type type = Type::isotropic;
-    double g = 0;  ///< mean cosine, in (-1, 1); 0 for isotropic
+    double g = 0;                          ///< mean of mu, in (-1, 1); in [-1, 1] for a table
+    std::vector<double> values{};          ///< table: per steradian, at two or more equally spaced mu from -1 to 1, linear between; integrates to 1
+    std::vector<double> cumulative{};      ///< table: probability of a mu below that of every value; 0 ... 1
+    std::vector<PhaseFunction> parts{};    ///< blend: two or more, none of them a blend
+    double weight = 1;                     ///< of a part of a blend, in (0, 1]; those of all parts sum to 1
 };
 
 /// A box of voxels. Values are given at the centres of the voxels, trilinear between them, those of the outermost centres up to the faces of the box, and 0

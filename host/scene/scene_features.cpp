@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "kernels/shared/host_features.hpp"
+#include "scene/phases.hpp"
 #include "scene/scene_effects.hpp"
 #include "scene/text.hpp"
 
@@ -58,8 +59,9 @@ void note_volumes(const Scene& scene, const Medium& m, FeatureNotes& notes)
 void note_media(const Scene& scene, FeatureNotes& notes)
 {
     for (const Medium& m : scene.media) {
-        if (m.phase.type != PhaseFunction::Type::isotropic && m.phase.g != 0)
-            notes.need(feature_bit::anisotropic, {fmt::format("{}: Henyey-Greenstein, g = {:g}", title(m), m.phase.g), m.where});
+        const Cause scatters{fmt::format("{}: {}", title(m), phase_words(m.phase)), m.where};
+        if (!scatters_evenly(m.phase)) notes.need(feature_bit::anisotropic, scatters);
+        if (has_lobes(m.phase)) notes.need(feature_bit::phase_lobes, scatters);
         note_volumes(scene, m, notes);
         if (m.sigma_t.r != m.sigma_t.g || m.sigma_t.r != m.sigma_t.b)
             notes.need(feature_bit::coloured, {title(m) + ": sigma_t differs between channels", m.where});
@@ -139,6 +141,7 @@ std::string_view saving_of(std::uint32_t bit)
         case feature_bit::nonconvex_media: return "walking connections through boundaries on the host";
         case feature_bit::short_lights: return "the survival probability of short lights";
         case feature_bit::depth_limit: return "counting vertices";
+        case feature_bit::phase_lobes: return "sums of lobes and tables in phase functions";
         case feature_bit::heterogeneous: return "looking up voxels: extinction and albedo are constants of a medium";
         case feature_bit::coloured_grids: return "two of three look-ups of extinction";
     }

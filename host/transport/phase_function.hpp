@@ -14,7 +14,7 @@ struct PhaseSample {
 /// its digits at the peak.
 double evaluate_phase(const PhaseFunction& phase, const Vec3& in, const Vec3& out);
 
-/// Proportional to the phase function.
+/// Proportional to the phase function: the exact inverse of its distribution of mu, after the choice of a part of a blend.
 PhaseSample sample_phase(const PhaseFunction& phase, const Vec3& in, const Vec2& xi);
 
 }  // namespace tyndall

@@ -34,6 +34,7 @@ typedef struct {
 typedef struct {
     real3 sigma_t, sigma_s;
     real g;
+    PhaseLanes phase;  ///< PHASE_LOBES: their phase functions
 } MediumLanes;
 
 typedef struct {
@@ -109,12 +110,13 @@ PURE RodSample place_on_light(EyeSegmentLanes eye, VirtualRayLight light, real x
 }
 
 /// Step 2, the conditional: where on the eye segment, and the weight of both choices.
-PURE Places place_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, RodSample rod, real xi)
+PURE Places place_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, RodSample rod, PhaseTables tables,
+                              real xi)
 {
     real3 b = light_direction(light), p = along3(sub3(light_origin(light), eye.origin), rod.v, b);
     PhaseWarp warp = {xi, R(1.0)};
     if (ANISOTROPIC) {
-        if (SAMPLER == SAMPLER_PAPER) warp = sample_phase_product(p, eye.direction, eye.length, b, eye_medium.g, (real)medium.g, xi);
+        if (SAMPLER == SAMPLER_PAPER) warp = sample_lobe_product(p, eye.direction, eye.length, b, eye_medium.g, eye_medium.phase, phase_range(medium), tables, xi);
     }
     AngleSample angle = sample_equiangular(p, eye.direction, eye.length, warp.x);
     Places places;
@@ -129,13 +131,14 @@ PURE RodSample find_on_light(EyeSegmentLanes eye, VirtualRayLight light, real v)
 {
     return rod_at(sub3(light_origin(light), eye.origin), eye.direction, light_direction(light), (real)light.length, v);
 }
-PURE Places find_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, RodSample rod, real u)
+PURE Places find_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, RodSample rod, PhaseTables tables, real u)
 {
     real3 b = light_direction(light), p = along3(sub3(light_origin(light), eye.origin), rod.v, b);
     real density = R(1.0);
     if (ANISOTROPIC) {
         if (SAMPLER == SAMPLER_PAPER)
-            density = pdf_phase_product(p, eye.direction, eye.length, b, eye_medium.g, (real)medium.g, invert_equiangular(p, eye.direction, eye.length, u));
+            density = pdf_lobe_product(p, eye.direction, eye.length, b, eye_medium.g, eye_medium.phase, phase_range(medium), tables,
+                                       invert_equiangular(p, eye.direction, eye.length, u));
     }
     Places places;
     places.v = rod.v, places.u = u;
@@ -153,7 +156,8 @@ PURE Places share_places(EyeSegmentLanes eye, VirtualRayLight light, Places at, 
 }
 
 /// Step 3: everything but the transmittance of the connection (kernels/README.md). on_eye, on_light: what lies along both up to the places.
-PURE Connection connect_segment_at(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, Places at, Matter on_eye, Matter on_light)
+PURE Connection connect_segment_at(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, PhaseTables tables, Places at,
+                                    Matter on_eye, Matter on_light)
 {
     real3 b = light_direction(light), q = sub3(light_origin(light), eye.origin), p = along3(q, at.v, b);
     real3 d = along3(p, -at.u, eye.direction);                    // from the eye segment to the light
@@ -165,8 +169,8 @@ PURE Connection connect_segment_at(EyeSegmentLanes eye, MediumLanes eye_medium, 
     real phase = phase_isotropic() * phase_isotropic();
     if (ANISOTROPIC) {
         real3 towards_eye = scale3(d, R(-1.0) / fmax(c.length, R(1e-30)));  // length 0: direction (0, 0, 0), whose phase is finite
-        phase = phase_henyey_greenstein(b, towards_eye, (real)medium.g) *
-                phase_henyey_greenstein(towards_eye, scale3(eye.direction, R(-1.0)), eye_medium.g);
+        phase = phase_of(phase_range(medium), tables, b, towards_eye) *
+                phase_of_lanes(eye_medium.phase, tables, eye_medium.g, towards_eye, scale3(eye.direction, R(-1.0)));
     }
     AlongLight along = along_light(light, medium, on_light.path);
     real3 depth = make_real3(fma(eye_medium.sigma_t.x, on_eye.path.x, along.depth.x), fma(eye_medium.sigma_t.y, on_eye.path.y, along.depth.y),
@@ -179,11 +183,11 @@ PURE Connection connect_segment_at(EyeSegmentLanes eye, MediumLanes eye_medium, 
 }
 
 /// The three steps for one pair in homogeneous media.
-PURE Connection connect_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, Random2 xi)
+PURE Connection connect_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, PhaseTables tables, Random2 xi)
 {
     RodSample rod = place_on_light(eye, light, xi.first);
-    Places at = place_on_segment(eye, eye_medium, light, medium, rod, xi.second);
-    return connect_segment_at(eye, eye_medium, light, medium, at, even_matter(at.u), even_matter(at.v));
+    Places at = place_on_segment(eye, eye_medium, light, medium, rod, tables, xi.second);
+    return connect_segment_at(eye, eye_medium, light, medium, tables, at, even_matter(at.u), even_matter(at.v));
 }
 
 /// A point on a diffuse surface, in two steps. The first: cosine-weighted density over the light in closed form (kernels/README.md).
@@ -209,7 +213,7 @@ PURE SurfaceRodSample share_place(EyePointLanes eye, VirtualRayLight light, Surf
 }
 
 /// The second: everything but the transmittance of the connection.
-PURE Connection connect_point_at(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, SurfaceRodSample rod, Matter on_light)
+PURE Connection connect_point_at(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, PhaseTables tables, SurfaceRodSample rod, Matter on_light)
 {
     real3 b = light_direction(light), d = along3(sub3(light_origin(light), eye.position), rod.v, b);
     Connection c;
@@ -218,7 +222,7 @@ PURE Connection connect_point_at(EyePointLanes eye, VirtualRayLight light, Mediu
     c.to = add3(c.from, d);
     c.length = length3(d);
     real phase = phase_isotropic();
-    if (ANISOTROPIC) phase = phase_henyey_greenstein(b, scale3(d, R(-1.0) / fmax(c.length, R(1e-30))), (real)medium.g);
+    if (ANISOTROPIC) phase = phase_of(phase_range(medium), tables, b, scale3(d, R(-1.0) / fmax(c.length, R(1e-30))));
     AlongLight along = along_light(light, medium, on_light.path);
     real weight = select(R(0.0), rod.weight, dot3(d, eye.facing) > R(0.0));
     real3 scattering = make_real3((real)(medium.sigma_s_r * light.flux_r), (real)(medium.sigma_s_g * light.flux_g), (real)(medium.sigma_s_b * light.flux_b));
@@ -228,10 +232,10 @@ PURE Connection connect_point_at(EyePointLanes eye, VirtualRayLight light, Mediu
 }
 
 /// The two steps for one pair in homogeneous media.
-PURE Connection connect_point(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, Random2 xi)
+PURE Connection connect_point(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, PhaseTables tables, Random2 xi)
 {
     SurfaceRodSample at = place_on_light_from_point(eye, light, xi.first);
-    return connect_point_at(eye, light, medium, at, even_matter(at.v));
+    return connect_point_at(eye, light, medium, tables, at, even_matter(at.v));
 }
 
 #endif

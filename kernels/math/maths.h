@@ -12,6 +12,7 @@
 #include "kernels/math/mis.h"
 #include "kernels/math/phase_function.h"
 #include "kernels/math/phase_product.h"
+#include "kernels/math/phase_lobes.h"
 #include "kernels/math/surface_rod.h"
 #include "kernels/math/transmittance.h"
 

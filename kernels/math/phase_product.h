@@ -54,14 +54,22 @@ PURE real fan_vertex(PhaseFan fan, real j)
     return fma(to - from, t * t * fma(R(-2.0), t, R(3.0)), from);
 }
 
+/// Cosines of the scattering angles at both ends where the connection leaves under the angle psi (eq. 28).
+typedef struct { real eye, light; } FanCosines;
+PURE FanCosines fan_cosines(PhaseFan fan, real psi)
+{
+    SineCosine s = sine_cosine(psi);
+    FanCosines mu = {s.cosine, fma(fan.across, s.sine_over * psi, -fan.along * s.cosine)};
+    return mu;
+}
+
 /// Product of the phase functions where the connection leaves under the angle psi, up to a constant factor; positive, below (1 - |g|)^-6 of the larger |g|.
 PURE real phase_product(PhaseFan fan, real psi)
 {
-    SineCosine s = sine_cosine(psi);
-    real sine = s.sine_over * psi, mu_eye = s.cosine, mu_light = fma(fan.across, sine, -fan.along * s.cosine);
+    FanCosines mu = fan_cosines(fan, psi);
     real ge = fabs(fan.g_eye), gl = fabs(fan.g_light);
-    real eye = fma(R(2.0) * ge, fmax(R(1.0) - select(-mu_eye, mu_eye, fan.g_eye >= R(0.0)), R(0.0)), (R(1.0) - ge) * (R(1.0) - ge));
-    real light = fma(R(2.0) * gl, fmax(R(1.0) - select(-mu_light, mu_light, fan.g_light >= R(0.0)), R(0.0)), (R(1.0) - gl) * (R(1.0) - gl));
+    real eye = fma(R(2.0) * ge, fmax(R(1.0) - select(-mu.eye, mu.eye, fan.g_eye >= R(0.0)), R(0.0)), (R(1.0) - ge) * (R(1.0) - ge));
+    real light = fma(R(2.0) * gl, fmax(R(1.0) - select(-mu.light, mu.light, fan.g_light >= R(0.0)), R(0.0)), (R(1.0) - gl) * (R(1.0) - gl));
     real both = eye * light;
     return R(1.0) / (both * sqrt(both));
 }
@@ -95,15 +103,13 @@ PURE real table_density(PhaseTable t, PhaseFan fan, real x)
     }
     real r = fmin(fmax((psi - from) / fmax(to - from, REAL_SMALLEST), R(0.0)), R(1.0));
     real relative = fma(r, f1 - f0, f0) * fan.extent / fmax(t.total, REAL_SMALLEST);
-    relative = select(R(1.0), relative, t.total > R(0.0));         // an angle of 0 has no table
+    relative = select(R(1.0), relative, t.total > R(0.0));         // an angle of 0 has no table, phase functions may be 0 at every vertex
     return fma(R(1.0) - DEFENSIVE_SHARE, relative, DEFENSIVE_SHARE);
 }
 
-/// xi in [0, 1).
-PURE PhaseWarp sample_phase_product(real3 p, real3 a, real length, real3 b, real g_eye, real g_light, real xi)
+/// Draws a fraction of the angle from the table. xi in [0, 1).
+PURE PhaseWarp sample_phase_table(PhaseTable t, PhaseFan fan, real xi)
 {
-    PhaseFan fan = phase_fan(p, a, length, b, g_eye, g_light);
-    PhaseTable t = phase_table(fan);
     mask even = xi < DEFENSIVE_SHARE;
     real rest = fmax((xi - DEFENSIVE_SHARE) / (R(1.0) - DEFENSIVE_SHARE), R(0.0)), target = rest * t.total;
     real f0 = t.value[0], f1 = t.value[1], from = t.angle[0], to = t.angle[1], below = R(0.0), sum = R(0.0);
@@ -118,10 +124,17 @@ PURE PhaseWarp sample_phase_product(real3 p, real3 a, real length, real3 b, real
     real psi = fma(to - from, sample_linear(f0, f1, within), from);
     PhaseWarp w;
     real drawn = (psi - fan.start) / fmax(fan.extent, REAL_SMALLEST);
-    w.x = select(drawn, xi / DEFENSIVE_SHARE, even | !(t.total > R(0.0)));
+    w.x = select(select(xi, drawn, t.total > R(0.0)), xi / DEFENSIVE_SHARE, even & (t.total > R(0.0)));  // an empty table leaves the even density alone
     w.x = fmin(fmax(w.x, R(0.0)), R(1.0));
     w.density = table_density(t, fan, w.x);
     return w;
+}
+
+/// xi in [0, 1).
+PURE PhaseWarp sample_phase_product(real3 p, real3 a, real length, real3 b, real g_eye, real g_light, real xi)
+{
+    PhaseFan fan = phase_fan(p, a, length, b, g_eye, g_light);
+    return sample_phase_table(phase_table(fan), fan, xi);
 }
 
 /// Density of sample_phase_product's x, relative to uniform.

@@ -23,7 +23,8 @@ namespace feature_bit {
 enum : std::uint32_t { SCENE_FEATURES(TYNDALL_FEATURE_BIT) };
 #undef TYNDALL_FEATURE_BIT
 inline constexpr std::uint32_t anisotropic = ANISOTROPIC_, coloured = COLOURED_, occluders = OCCLUDERS_, many_media = MANY_MEDIA_, boundaries = BOUNDARIES_,
-                               nonconvex_media = NONCONVEX_MEDIA_, short_lights = SHORT_LIGHTS_, depth_limit = DEPTH_LIMIT_, heterogeneous = HETEROGENEOUS_, coloured_grids = COLOURED_GRIDS_;
+                               nonconvex_media = NONCONVEX_MEDIA_, short_lights = SHORT_LIGHTS_, depth_limit = DEPTH_LIMIT_, phase_lobes = PHASE_LOBES_,
+                               heterogeneous = HETEROGENEOUS_, coloured_grids = COLOURED_GRIDS_;
 }  // namespace feature_bit
 
 }  // namespace tyndall

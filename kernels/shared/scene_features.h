@@ -13,6 +13,7 @@
     F(NONCONVEX_MEDIA, 5, "boundaries are not disjoint convex polyhedra: crossing connections are walked on the host") \
     F(SHORT_LIGHTS, 6, "virtual ray lights end at their sampled collision")                                     \
     F(DEPTH_LIMIT, 7, "paths are limited in length")                                                           \
+    F(PHASE_LOBES, 8, "a phase function is neither isotropic nor Henyey and Greenstein's")                     \
     F(HETEROGENEOUS, 9, "a medium's extinction or albedo comes from a grid")                                   \
     F(COLOURED_GRIDS, 10, "a grid of extinction has three channels")
 

@@ -29,8 +29,8 @@ static inline void place_pairs(OnBoth* places, Eye eye, const EyeGroup* around, 
     }
     for (uint i = 0; i < count; ++i) {
         Light light = lights[(counter + i) / samples];
-        if (HETEROGENEOUS && (by_matter >> i & 1u)) places[i] = find_eye(eye, &around->table, light, medium_of(s, light), on_light[i], second[i]);
-        else places[i] = place_eye(eye, light, medium_of(s, light), on_light[i], second[i]);
+        if (HETEROGENEOUS && (by_matter >> i & 1u)) places[i] = find_eye(eye, &around->table, light, medium_of(s, light), phase_tables(s), on_light[i], second[i]);
+        else places[i] = place_eye(eye, light, medium_of(s, light), phase_tables(s), on_light[i], second[i]);
     }
 }
 
@@ -39,7 +39,7 @@ static inline Connection connect_pair(Eye eye, const EyeGroup* around, Light lig
 {
     if (HETEROGENEOUS) return connect_in_grids(eye, around, light, s, at, number, counter);
     MediumRecord medium = medium_of(s, light);
-    Connection c = connect_eye(eye, light, medium, at, matter_to_eye(at), even_matter(at.v));
+    Connection c = connect_eye(eye, light, medium, phase_tables(s), at, matter_to_eye(at), even_matter(at.v));
     Leg leg = {c.from, sub3(c.to, c.from), c.length, R(0.0), 0u};
     c.radiance = mul3(c.radiance, transmittance3(leg_depth(&around->facing, s, medium, leg)));
     return c;

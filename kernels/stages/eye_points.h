@@ -26,10 +26,10 @@ static inline Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundi
 typedef SurfaceRodSample OnLight;
 typedef SurfaceRodSample OnBoth;
 static inline OnLight place_light(Eye eye, Light light, real xi) { return place_on_light_from_point(eye.geometry, light, xi); }
-static inline OnBoth place_eye(Eye eye, Light light, MediumRecord medium, OnLight on_light, real xi) { return on_light; }
-static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, OnBoth at, Matter on_eye, Matter on_light)
+static inline OnBoth place_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi) { return on_light; }
+static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnBoth at, Matter on_eye, Matter on_light)
 {
-    return connect_point_at(eye.geometry, light, medium, at, on_light);
+    return connect_point_at(eye.geometry, light, medium, tables, at, on_light);
 }
 
 /// Nothing lies along a point.
@@ -38,7 +38,7 @@ static inline Matter matter_to_eye(OnBoth at) { return even_matter(R(0.0)); }
 // Density grids: the same functions as for segments, with nothing along the eye.
 
 static inline OnLight find_light(Eye eye, Light light, real v) { return find_on_light_from_point(eye.geometry, light, v); }
-static inline OnBoth find_eye(Eye eye, const OpticalTable* table, Light light, MediumRecord medium, OnLight on_light, real xi) { return on_light; }
+static inline OnBoth find_eye(Eye eye, const OpticalTable* table, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi) { return on_light; }
 static inline Passed passed_to_eye(Eye eye, const OpticalTable* table, OnBoth at)
 {
     Passed none = {make_real3(R(0.0), R(0.0), R(0.0)), make_real3(R(0.0), R(0.0), R(0.0))};

@@ -28,13 +28,13 @@ static inline Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundi
 typedef RodSample OnLight;
 typedef Places OnBoth;
 static inline OnLight place_light(Eye eye, Light light, real xi) { return place_on_light(eye.geometry, light, xi); }
-static inline OnBoth place_eye(Eye eye, Light light, MediumRecord medium, OnLight on_light, real xi)
+static inline OnBoth place_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi)
 {
-    return place_on_segment(eye.geometry, eye.medium, light, medium, on_light, xi);
+    return place_on_segment(eye.geometry, eye.medium, light, medium, on_light, tables, xi);
 }
-static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, OnBoth at, Matter on_eye, Matter on_light)
+static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnBoth at, Matter on_eye, Matter on_light)
 {
-    return connect_segment_at(eye.geometry, eye.medium, light, medium, at, on_eye, on_light);
+    return connect_segment_at(eye.geometry, eye.medium, light, medium, tables, at, on_eye, on_light);
 }
 
 /// What lies along an eye in homogeneous media.
@@ -44,10 +44,10 @@ static inline Matter matter_to_eye(OnBoth at) { return even_matter(at.u); }
 
 /// A place on the light that its table drew, and one on the eye that its own draws, weighed as if the light had placed them.
 static inline OnLight find_light(Eye eye, Light light, real v) { return find_on_light(eye.geometry, light, v); }
-static inline OnBoth find_eye(Eye eye, const OpticalTable* table, Light light, MediumRecord medium, OnLight on_light, real xi)
+static inline OnBoth find_eye(Eye eye, const OpticalTable* table, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi)
 {
     real u = sample_matter(*table, eye.medium.sigma_t, eye.geometry.length, 0u, xi);
-    return find_on_segment(eye.geometry, eye.medium, light, medium, on_light, u);
+    return find_on_segment(eye.geometry, eye.medium, light, medium, on_light, tables, u);
 }
 
 static inline Passed passed_to_eye(Eye eye, const OpticalTable* table, OnBoth at) { return passed(*table, at.u, eye.geometry.length); }

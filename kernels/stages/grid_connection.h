@@ -76,7 +76,7 @@ static inline Connection with_transmittance(Eye eye, const EyeGroup* around, Lig
         on_eye.path = exact_path_to_eye(s, &around->media, eye, &around->table, at);
         on_light.path = exact_path(s, medium, light_origin(light), scale3(light_direction(light), at.v), at.v, R(0.0), R(1.0));
     }
-    Connection c = connect_eye(eye, light, medium, at, on_eye, on_light);
+    Connection c = connect_eye(eye, light, medium, phase_tables(s), at, on_eye, on_light);
     Leg leg = {c.from, sub3(c.to, c.from), c.length, jitter, exact};
     c.radiance = mul3(c.radiance, transmittance3(leg_depth(&around->facing, s, medium, leg)));
     return c;

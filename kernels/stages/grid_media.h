@@ -2,29 +2,6 @@
 #ifndef GRID_MEDIA_H
 #define GRID_MEDIA_H
 
-/// The media of a group of eyes, each once.
-typedef struct {
-    uint count;
-    uint medium[LANES];
-    bits of_lane;
-} MediaOfGroup;
-
-static inline MediaOfGroup media_of_group(bits index)
-{
-    MediaOfGroup group;
-    group.count = 1u, group.medium[0] = 0u, group.of_lane = (bits)(0u);
-    if (!MANY_MEDIA) return group;
-    uint indices[LANES];
-    store_bits(index, 0, indices);
-    group.count = 0u, group.of_lane = index;
-    for (uint lane = 0; lane < LANES; ++lane) {
-        bool known = false;
-        for (uint i = 0; i < group.count; ++i) known = known || group.medium[i] == indices[lane];
-        if (!known) group.medium[group.count++] = indices[lane];
-    }
-    return group;
-}
-
 /// The grid's value at points, per channel if it has three. `clamped`: points outside of its box count as moved into it; else the value is 0 there.
 static inline real3 grid_values(Surroundings s, uint index, uint coloured, uint clamped, real3 point)
 {

@@ -15,6 +15,12 @@ typedef struct {
     __global const float* light_tables;  ///< along the lights (kernels/volumes/optical_table.h)
 } Surroundings;
 
+static inline PhaseTables phase_tables(Surroundings s)
+{
+    PhaseTables tables = {s.lobes, s.phase_values};
+    return tables;
+}
+
 /// As a kernel takes them, in the order of the host's PairStage, and puts them together.
 #define SURROUNDINGS_PARAMETERS                                                                                                                \
     __global const MediumRecord *media, __global const ContainerRecord *containers, __global const PlaneRecord *planes, uint container_count, \

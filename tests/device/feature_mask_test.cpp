@@ -51,6 +51,10 @@ TEST(FeatureMask, LeavingOutWhatIsNeededChangesTheSums)
         for (std::size_t i = 0; i < right.size(); ++i) worst = std::max(worst, std::abs(wrong[i] / right[i] - 1));
         EXPECT_GT(worst, .01);
     }
+    const auto blends = testing::random_pairs({.eyes = 32, .lights = 100, .lobes = true});
+    const auto blended = sums(device, blends, EyeKind::segments, feature_bit::anisotropic | feature_bit::phase_lobes);
+    const auto one_lobe = sums(device, blends, EyeKind::segments, feature_bit::anisotropic);
+    for (std::size_t i = 0; i < blended.size(); i += 3) EXPECT_GT(std::abs(one_lobe[i] / blended[i] - 1), 1e-3) << "one lobe of the mean cosine is no blend";
 }
 
 TEST(FeatureMask, NamesAndBitsAreDistinct)

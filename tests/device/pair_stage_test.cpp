@@ -24,7 +24,8 @@ Device& device()
 
 std::uint32_t mask_of(const testing::PairWishes& wishes)
 {
-    return (wishes.g != 0 ? feature_bit::anisotropic : 0u) | (wishes.coloured ? feature_bit::coloured : 0u) | (wishes.short_lights ? feature_bit::short_lights : 0u);
+    return (wishes.g != 0 ? feature_bit::anisotropic : 0u) | (wishes.coloured ? feature_bit::coloured : 0u) | (wishes.short_lights ? feature_bit::short_lights : 0u) |
+           (wishes.lobes ? feature_bit::anisotropic | feature_bit::phase_lobes : 0u) | (wishes.two_media ? feature_bit::many_media : 0u);
 }
 
 PairProgram program(EyeKind kind, std::uint32_t features, int lanes) { return {.eyes = kind, .features = features, .lanes = lanes}; }
@@ -49,6 +50,21 @@ TEST_P(AtEveryLaneWidth, SumsEqualTheHostsInDouble)
             EXPECT_LT(worst_relative(gathered(stage, pairs, kind, 1000, 1024), testing::host_sums(pairs, kind)), 2e-5);
             EXPECT_EQ(stage.ledger().not_finite, 0u);
         }
+}
+
+TEST_P(AtEveryLaneWidth, SumsOfLobesEqualTheHostsInDouble)
+{
+    for (const bool two_media : {false, true})
+        for (const int sampler : {int(SAMPLER_PAPER_ISOTROPIC), int(SAMPLER_PAPER)})
+            for (const EyeKind kind : {EyeKind::segments, EyeKind::points}) {
+                const testing::PairWishes wishes{.coloured = two_media, .lobes = true, .two_media = two_media};
+                const auto pairs = random_pairs(wishes);
+                PairProgram lobes = program(kind, mask_of(wishes), GetParam());
+                lobes.sampler = sampler;
+                PairStage stage(device(), lobes, pairs.tables);
+                EXPECT_LT(worst_relative(gathered(stage, pairs, kind, 1000, 1024), testing::host_sums(pairs, kind, sampler)), 2e-5) << two_media << ' ' << sampler;
+                EXPECT_EQ(stage.ledger().not_finite, 0u);
+            }
 }
 
 TEST_P(AtEveryLaneWidth, TilesNeverChangeAByte)

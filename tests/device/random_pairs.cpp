@@ -5,6 +5,11 @@
 #include <algorithm>
 #include <cstring>
 #include <random>
+namespace tyndall {
+static int host_sampler = SAMPLER_PAPER_ISOTROPIC;  // the device's build option as a variable
+}
+#undef SAMPLER
+#define SAMPLER host_sampler
 // The kernels' macros come after everything that is not theirs.
 // clang-format off
 #include "kernels/dialect_host.hpp"
@@ -43,6 +48,14 @@ void add_container(MediaTables& tables)
         for (const float sign : {-1.0f, 1.0f}) tables.planes.push_back({axis == 0 ? sign : 0, axis == 1 ? sign : 0, axis == 2 ? sign : 0, 1.0f});
 }
 
+void add_lobes(MediaTables& tables)
+{
+    tables.lobes = {{PHASE_LOBE_HENYEY_GREENSTEIN, .4f, .7f, 0, 0, 0, 0, 0}, {PHASE_LOBE_HENYEY_GREENSTEIN, .1f, -.5f, 0, 0, 0, 0, 0}, {PHASE_LOBE_RAYLEIGH, .2f, 0, 0, 0, 0, 0, 0},
+                    {PHASE_LOBE_TABLE, .3f, .2f, 3, 4, 0, 0, 0}};
+    tables.phase_values = {9, 9, 9, .05f, .02f, .1f, .2f, 9};  // what is not the table's must not be read
+    tables.media[0].lobe_count = 4, tables.media[0].g = .29f;
+}
+
 maths_double::real3 wide(float x, float y, float z) { return {x, y, z}; }
 
 }  // namespace
@@ -54,16 +67,18 @@ RandomPairs random_pairs(const PairWishes& wishes, bool container)
     std::uniform_real_distribution<float> uniform(-1, 1);
     const float tint = wishes.coloured ? .5f : 0;
     pairs.tables.media.push_back({1, 1 + tint, 1 + 2 * tint, static_cast<float>(wishes.g), .8f, .7f, .6f, 0, 0, NO_GRID, NO_GRID, 0});
+    if (wishes.lobes) add_lobes(pairs.tables);
+    if (wishes.two_media) pairs.tables.media.push_back({1.5f, 1.2f, 1, .35f, .9f, .8f, .7f, 0, 0, NO_GRID, NO_GRID, 0});
     if (container) add_container(pairs.tables);
     for (std::uint32_t i = 0; i < wishes.eyes; ++i) {
         const glm::vec3 d = random_direction(engine), o = .45f * glm::vec3(uniform(engine), uniform(engine), uniform(engine)), n = random_direction(engine);
-        pairs.segments.push_back({o.x, o.y, o.z, .3f + .2f * uniform(engine), d.x, d.y, d.z, 0, 1, .9f, .8f, i % 3, i, static_cast<uint>(engine()), 0, 0});
+        pairs.segments.push_back({o.x, o.y, o.z, .3f + .2f * uniform(engine), d.x, d.y, d.z, wishes.two_media ? i / 2 % 2 : 0, 1, .9f, .8f, i % 3, i, static_cast<uint>(engine()), 0, 0});
         pairs.points.push_back({o.x, o.y, o.z, 0, n.x, n.y, n.z, i % 3, 1, .9f, .8f, i, n.x, n.y, n.z, static_cast<uint>(engine())});
     }
     std::vector<maths_float::VirtualRayLight> lights;
     for (std::uint32_t i = 0; i < wishes.lights; ++i) {
         const glm::vec3 d = random_direction(engine), o = .6f * glm::vec3(uniform(engine), uniform(engine), uniform(engine));
-        lights.push_back({o.x, o.y, o.z, .2f + .15f * uniform(engine), d.x, d.y, d.z, 0, 1 + .5f * uniform(engine), 1, 1, i % 4, .5f, .3f, .2f, wishes.short_lights ? 1u : 0u});
+        lights.push_back({o.x, o.y, o.z, .2f + .15f * uniform(engine), d.x, d.y, d.z, wishes.two_media ? i % 2 : 0, 1 + .5f * uniform(engine), 1, 1, i % 4, .5f, .3f, .2f, wishes.short_lights ? 1u : 0u});
     }
     pairs.light_count = wishes.lights;
     pairs.lights.resize(lights.size() * sizeof lights[0]);
@@ -86,31 +101,32 @@ void lay_light_across(RandomPairs& pairs, std::uint32_t light)
     std::memcpy(pairs.lights.data(), all.data(), pairs.lights.size());
 }
 
-std::vector<double> host_sums(const RandomPairs& pairs, EyeKind kind)
+std::vector<double> host_sums(const RandomPairs& pairs, EyeKind kind, int sampler)
 {
     using namespace maths_double;
-    const MediumRecord m = pairs.tables.media[0];
+    host_sampler = sampler;
     const auto lights = lights_of(pairs);
-    const glm::dvec3 sigma_t(m.sigma_t_r, m.sigma_t_g, m.sigma_t_b);
+    const PhaseTables tables{pairs.tables.lobes.data(), pairs.tables.phase_values.data()};
     std::vector<double> sums;
     for (std::size_t i = 0; i < pairs.segments.size(); ++i) {
         glm::dvec3 sum(0);
+        const EyeSegment& s = pairs.segments[i];
+        const EyePoint& p = pairs.points[i];
+        const MediumRecord m = pairs.tables.media[s.medium];
+        const MediumLanes eye_medium{wide(m.sigma_t_r, m.sigma_t_g, m.sigma_t_b), wide(m.sigma_s_r, m.sigma_s_g, m.sigma_s_b), m.g, {1, m.lobe_count > 0, 0, {phase_range(m)}}};
         for (uint k = 0; k < pairs.light_count; ++k) {
             maths_double::VirtualRayLight light;
             std::memcpy(&light, &lights[k], sizeof light);
-            const uint key = kind == EyeKind::segments ? pairs.segments[i].key : pairs.points[i].key;
-            const auto xi = maths_float::random2(key, k);
-            const EyeSegment& s = pairs.segments[i];
-            const EyePoint& p = pairs.points[i];
+            const MediumRecord medium = pairs.tables.media[light.medium];
+            const auto xi = maths_float::random2(kind == EyeKind::segments ? s.key : p.key, k);
             const Connection c = kind == EyeKind::segments
                                      ? connect_segment({wide(s.origin_x, s.origin_y, s.origin_z), wide(s.direction_x, s.direction_y, s.direction_z),
                                                         wide(s.throughput_r, s.throughput_g, s.throughput_b), s.length},
-                                                       {wide(m.sigma_t_r, m.sigma_t_g, m.sigma_t_b), wide(m.sigma_s_r, m.sigma_s_g, m.sigma_s_b), m.g}, light, m,
-                                                       {xi.first, xi.second})
+                                                       eye_medium, light, medium, tables, {xi.first, xi.second})
                                      : connect_point({wide(p.position_x, p.position_y, p.position_z), wide(p.normal_x, p.normal_y, p.normal_z),
                                                       wide(p.facing_x, p.facing_y, p.facing_z), wide(p.throughput_r, p.throughput_g, p.throughput_b)},
-                                                     light, m, {xi.first, xi.second});
-            sum += glm::dvec3(c.radiance.x, c.radiance.y, c.radiance.z) * glm::exp(-sigma_t * c.length);
+                                                     light, medium, tables, {xi.first, xi.second});
+            sum += glm::dvec3(c.radiance.x, c.radiance.y, c.radiance.z) * glm::exp(-glm::dvec3(medium.sigma_t_r, medium.sigma_t_g, medium.sigma_t_b) * c.length);
         }
         sums.insert(sums.end(), {sum.x, sum.y, sum.z});
     }

@@ -19,6 +19,8 @@ struct PairWishes {
     std::uint32_t eyes = 64, lights = 300;
     double g = 0;
     bool coloured = false, short_lights = false;
+    bool lobes = false;      ///< a blend of two Henyey-Greenstein lobes, Rayleigh's and a table
+    bool two_media = false;  ///< every other eye and light is in a second medium, without lobes
     std::uint32_t seed = 5;
 };
 
@@ -26,7 +28,7 @@ struct PairWishes {
 RandomPairs random_pairs(const PairWishes& wishes, bool container = false);
 
 /// Sum over lights, r g b per eye, by the same mathematics on the host in double (from the float records and the same random numbers).
-std::vector<double> host_sums(const RandomPairs& pairs, EyeKind kind);
+std::vector<double> host_sums(const RandomPairs& pairs, EyeKind kind, int sampler = SAMPLER_PAPER_ISOTROPIC);
 
 /// All tiles of a stage without occluders.
 std::vector<double> gathered(PairStage& stage, const RandomPairs& pairs, EyeKind kind, std::uint32_t tile_groups, std::uint32_t tile_lights, std::uint32_t vertex_limit = 0xffffffffu);

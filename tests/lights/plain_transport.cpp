@@ -9,6 +9,8 @@ namespace {
 
 double henyey_greenstein(double mu, double g) { return (1 - g * g) / (4 * std::numbers::pi * std::pow(1 + g * g - 2 * g * mu, 1.5)); }
 
+double phase(const Pair& p, double mu) { return p.phase ? p.phase(mu) : henyey_greenstein(mu, p.g); }
+
 glm::dvec3 random_direction(std::mt19937& engine)
 {
     std::normal_distribution<double> normal;
@@ -94,8 +96,8 @@ glm::dvec3 transport(const Pair& p)
         return along_light(p, v) * integrate(p.eye_length, [&](double u) {
             const glm::dvec3 d = p.o + u * p.a - (p.p + v * p.b);  // from the light to the eye segment
             const double w = glm::length(d);
-            const double phase = henyey_greenstein(glm::dot(p.b, d / w), p.g) * henyey_greenstein(glm::dot(d / w, -p.a), p.g);
-            return glm::exp(-p.sigma_t * (u + w)) * (phase / (w * w));
+            const double both = phase(p, glm::dot(p.b, d / w)) * phase(p, glm::dot(d / w, -p.a));
+            return glm::exp(-p.sigma_t * (u + w)) * (both / (w * w));
         });
     });
 }
@@ -106,7 +108,7 @@ glm::dvec3 transport(const SurfacePair& s)
     return p.flux * p.sigma_s * integrate(p.light_length, [&](double v) {
         const glm::dvec3 d = s.x - (p.p + v * p.b);
         const double w = glm::length(d), cosine = std::max(glm::dot(s.n, -d / w), 0.0);
-        return along_light(p, v) * glm::exp(-p.sigma_t * w) * (henyey_greenstein(glm::dot(p.b, d / w), p.g) * cosine / (w * w));
+        return along_light(p, v) * glm::exp(-p.sigma_t * w) * (phase(p, glm::dot(p.b, d / w)) * cosine / (w * w));
     });
 }
 

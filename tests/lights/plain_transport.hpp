@@ -3,6 +3,7 @@
 /// kernels/. Phase functions and transmittances are the textbook's.
 #include <glm/glm.hpp>
 
+#include <functional>
 #include <random>
 
 namespace tyndall::plain {
@@ -12,6 +13,7 @@ struct Pair {
     double eye_length, light_length, g = 0;
     glm::dvec3 sigma_t, sigma_s, flux{1}, share{0};
     bool is_short = false;
+    std::function<double(double)> phase{};   ///< of the cosine, per steradian; empty: Henyey and Greenstein's for g
 };
 struct SurfacePair {
     Pair light;

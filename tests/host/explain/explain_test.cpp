@@ -11,6 +11,7 @@
 #include "pipeline/memory_estimate.hpp"
 #include "pipeline/render.hpp"
 #include "pipeline/savings.hpp"
+#include "support/feature_cover.hpp"
 #include "scene_parts.hpp"
 #include "tests/support/feature_cover.hpp"
 

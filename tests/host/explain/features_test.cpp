@@ -43,6 +43,12 @@ std::vector<Row> scenes_of_media()
     return {
         {"forward scattering", scene_of({medium("fog", ".5", ".8", forward), lamp(in_fog)}, in_fog), anisotropic, anisotropic, open_fog, {{"ANISOTROPIC", 2}}},
         {"Henyey-Greenstein with g = 0", scene_of({medium("fog", ".5", ".8", R"(<phase type="hg"><float name="g" value="0"/></phase>)"), lamp(in_fog)}, in_fog), 0, 0, open_fog, {}},
+        {"Rayleigh's phase function", scene_of({medium("fog", ".5", ".8", R"(<phase type="rayleigh"/>)"), lamp(in_fog)}, in_fog), anisotropic | phase_lobes, anisotropic | phase_lobes, open_fog,
+         {{"ANISOTROPIC", 2}, {"PHASE_LOBES", 2}}},
+        {"a table", scene_of({medium("fog", ".5", ".8", R"(<phase type="tabphase"><string name="values" value="1, 2"/></phase>)"), lamp(in_fog)}, in_fog), anisotropic | phase_lobes,
+         anisotropic | phase_lobes, open_fog, {{"PHASE_LOBES", 2}}},
+        {"a blend without its second part", scene_of({medium("fog", ".5", ".8", R"(<phase type="blendphase"><float name="weight" value="0"/>)" + forward + R"(<phase type="rayleigh"/></phase>)"),
+          lamp(in_fog)}, in_fog), anisotropic, anisotropic, open_fog, {{"ANISOTROPIC", 2}}},
         {"coloured extinction", scene_of({medium("fog", ".5, .4, .5"), lamp(in_fog)}, in_fog), coloured, coloured, open_fog, {{"COLOURED", 2}}},
         {"coloured albedo is no coloured extinction", scene_of({medium("fog", ".5", ".9, .5, .1"), lamp(in_fog)}, in_fog), 0, 0, open_fog, {}},
         {"a box of fog", scene_of({medium("fog"), lamp(), container("cube", "box", here)}), 0, boundaries, box, {{"BOUNDARIES", 4}, {"CONVEX_CONTAINERS", 4}}},

@@ -91,8 +91,6 @@ TEST(Medium, WrongNamesAndTypesAreRefusedWithTheNearest)
     EXPECT_EQ(medium_fault("<string name=\"material\" value=\"Skimmilk\"/>"),
               "scene.xml:3:1: medium \"juice\": presets of materials are not supported; give sigma_t and albedo");
     EXPECT_NE(medium_fault("<float name=\"sigma_s\" value=\"1\"/>").find("sigma_s is not supported"), std::string::npos);
-    EXPECT_EQ(medium_fault("<phase type=\"rayleigh\"/>"),
-              "scene.xml:3:1: phase type \"rayleigh\" is not supported; supported: isotropic, hg");
     EXPECT_NE(medium_fault("<phase type=\"hg\"/><phase type=\"hg\"/>").find("scene.xml:3:19: medium \"juice\": a second phase"),
               std::string::npos);
     EXPECT_EQ(medium_fault("<volume name=\"sigma_t\" type=\"gridvolume\"/>")
