@@ -5,7 +5,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
 
-install_packages "${build_packages[@]}" "${test_packages[@]}"
-build_release all -DTYNDALL_TESTS=ON
+install_packages "${build_packages[@]}" "${optional_packages[@]}" "${test_packages[@]}"
+build_release all -DTYNDALL_TESTS=ON -DTYNDALL_OPENVDB=ON
 cd "$repository_root"
 exec ctest --preset release --label-exclude slow --parallel "$(nproc)" "$@"

@@ -13,6 +13,7 @@ build_packages=(
   libpugixml-dev                                            # scenes
   nlohmann-json3-dev libcli11-dev libfmt-dev                # reports, command line, messages
 )
+optional_packages=(libopenvdb-dev)                          # .vdb files; tests/run.sh installs it, so that they are tested
 test_packages=(libgtest-dev libgmock-dev librapidcheck-dev python3-minimal)
 
 say() { printf 'tyndall: %s\n' "$*" >&2; }

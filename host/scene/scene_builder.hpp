@@ -13,7 +13,7 @@ struct SceneBuilder {
     SceneFiles& files;
     Scene scene{};
     std::map<const XmlElement*, int> media{}, bsdfs{};  ///< index of what was read from an element
-    std::map<std::filesystem::path, VolumeFile> volume_files{};  ///< every file of voxels is read once
+    std::map<std::pair<std::filesystem::path, std::string>, VolumeFile> volume_files{};  ///< every grid of every file of voxels is read once
 
     /// Adds "file:line:column: message" to the scene's warnings.
     void warn(const SourceLocation& where, const std::string& message) { scene.warnings.push_back(to_string(where) + ": " + message); }

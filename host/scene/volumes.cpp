@@ -13,19 +13,19 @@ namespace tyndall {
 
 namespace {
 
-/// The voxels of the file that `filename` names, read at the first call.
-const VolumeFile& volume_file(SceneBuilder& builder, Properties& properties, VolumeFile (*read)(std::string_view bytes))
+/// The voxels of the file that `filename` names, decoded by `read` at the first call for that file and grid.
+template <class Read>
+const VolumeFile& volume_file(SceneBuilder& builder, Properties& properties, const std::string& grid, Read&& read)
 {
     const std::string name = properties.text("filename", "");
     if (name.empty()) properties.refuse_parameter("filename", "needs <string name=\"filename\" value=\"...\"/>");
     const SourceLocation where = properties.where_is("filename");
-    const std::filesystem::path path = builder.files.find(name, where);
-    if (const auto known = builder.volume_files.find(path); known != builder.volume_files.end()) return known->second;
-    const SceneFiles::Content content = builder.files.read(name, where, largest_volume_file);
+    const std::pair key(builder.files.find(name, where), grid);
+    if (const auto known = builder.volume_files.find(key); known != builder.volume_files.end()) return known->second;
+    SceneFiles::Content content = builder.files.read(name, where, largest_volume_file);
     try {
-        return builder.volume_files[path] = read(content.bytes);
+        return builder.volume_files.emplace(key, read(std::move(content.bytes))).first->second;
     } catch (const VolumeFault& fault) {
-        builder.volume_files.erase(path);
         refuse(where, fmt::format("{}: {}: {}", properties.title(), printable(name), fault.what()));
     }
 }
@@ -42,20 +42,42 @@ Mat4 box_of(Properties& properties, const VolumeFile& file)
     return translation(low) * scaling(high - low);
 }
 
+/// A transform out of a file has not been looked at by read_transform.
+void check_placement(Properties& properties, const Mat4& to_world)
+{
+    double edges = 1;
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 3; ++row)
+            if (!(std::abs(to_world[column][row]) <= largest_coordinate)) properties.refuse_parameter("filename", fmt::format("the grid's transform leads beyond {:g}", largest_coordinate));
+        if (column < 3) edges *= glm::length(Vec3(to_world[column]));
+    }
+    // 1e-12: as for every <transform>
+    if (!(std::abs(glm::determinant(glm::dmat3(to_world))) > 1e-12 * edges)) properties.refuse_parameter("filename", "the grid's transform flattens space; it must have an inverse");
+}
+
 Volume volume_of(const VolumeFile& file, Properties& properties)
 {
     return {.name = properties.text("filename", ""), .size_x = file.size_x, .size_y = file.size_y, .size_z = file.size_z, .channels = file.channels, .values = file.values,
-            .to_world = properties.transform("to_world"), .where = properties.where()};
+            .to_world = properties.transform("to_world") * file.placement, .where = properties.where()};
 }
 
 Volume read_grid(SceneBuilder& builder, Properties& properties)
 {
-    const VolumeFile& file = volume_file(builder, properties, read_vol);
+    const VolumeFile& file = volume_file(builder, properties, "", read_vol);
     Volume volume = volume_of(file, properties);
     if (properties.boolean("use_grid_bbox", false)) volume.to_world = volume.to_world * box_of(properties, file);
     properties.choice("filter_type", "trilinear", {"trilinear"});
     properties.choice("wrap_mode", "clamp", {"clamp"});
     for (const char* without_effect : {"raw", "accel"}) properties.boolean(without_effect, false);  // spectral colours and graphics hardware, of which there are none here
+    return volume;
+}
+
+Volume read_open_vdb(SceneBuilder& builder, Properties& properties)
+{
+    const std::string grid = properties.text("grid", "density");
+    const VolumeFile& file = volume_file(builder, properties, grid, [&](std::string bytes) { return read_vdb(std::move(bytes), grid); });
+    Volume volume = volume_of(file, properties);
+    check_placement(properties, volume.to_world);
     return volume;
 }
 
@@ -67,8 +89,10 @@ VolumeValue read_volume(SceneBuilder& builder, const XmlElement& element)
         value.constant = properties.colour("value", Rgb(1), Range::not_negative());
     } else if (properties.type() == "gridvolume") {
         value.voxels = read_grid(builder, properties);
+    } else if (properties.type() == "openvdbvolume") {
+        value.voxels = read_open_vdb(builder, properties);
     } else {
-        properties.refuse_type({"gridvolume", "constvolume"});
+        properties.refuse_type({"gridvolume", "openvdbvolume", "constvolume"});
     }
     properties.finish();
     return value;

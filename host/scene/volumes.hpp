@@ -1,5 +1,5 @@
 #pragma once
-/// <volume> elements: gridvolume, constvolume.
+/// <volume> elements: gridvolume, openvdbvolume, constvolume.
 #include "scene/scene_builder.hpp"
 
 namespace tyndall {

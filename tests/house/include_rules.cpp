@@ -96,6 +96,7 @@ const std::vector<Library>& libraries()
         {"PNG", R"(^png\.h$)", {"host/film/"}},
         {"pugixml", R"(^pugixml)", {"host/scene/"}},
         {"tinyobjloader", R"(^tiny_obj_loader)", {"host/scene/"}},
+        {"OpenVDB", R"(^openvdb/)", {"host/scene/volume_vdb.cpp"}},
         {"CLI11", R"(^CLI/|^CLI11)", {"host/cli/"}},
         {"GLM", R"(^glm/)", {"host/"}},
     };

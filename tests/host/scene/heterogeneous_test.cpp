@@ -228,7 +228,7 @@ TEST_F(Heterogeneous, WrongParametersAreSentences)
 {
     const std::string title = "medium \"smoke\": ", g = "volume \"gridvolume\": ";
     EXPECT_EQ(fault("<volume name=\"sigma_t\" type=\"gridvolume\"/>"), "3:1: " + g + "needs <string name=\"filename\" value=\"...\"/>");
-    EXPECT_EQ(fault("<volume name=\"sigma_t\" type=\"gird\"/>"), "3:1: volume type \"gird\" is not supported; supported: gridvolume, constvolume");
+    EXPECT_EQ(fault("<volume name=\"sigma_t\" type=\"gird\"/>"), "3:1: volume type \"gird\" is not supported; supported: gridvolume, openvdbvolume, constvolume");
     EXPECT_EQ(fault(grid("sigma_t", "gone.vol")), "3:42: cannot find \"gone.vol\" in \"" + folder.path().string() + "\"");
     EXPECT_EQ(fault(grid("sigma_t", "two.vol", R"(<string name="filter_type" value="nearest"/>)")),
               "3:83: " + g + "filter_type = \"nearest\" is not supported; supported: trilinear");
