@@ -5,6 +5,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "scene/render_space.hpp"
+#include "scene/volume_values.hpp"
+
 namespace tyndall {
 namespace {
 
@@ -31,6 +34,29 @@ Json phase_of(const PhaseFunction& phase)
     return json;
 }
 
+/// Number of a volume in the list of volumes, or null.
+Json volume_number(int volume) { return volume == none ? Json(nullptr) : Json(volume); }
+
+Json volumes_of(const Scene& scene)
+{
+    Json volumes = Json::array();
+    for (const auto& volume : scene.volumes) {
+        const VolumeStatistics statistics = statistics_of(volume);
+        const Bounds box = bounds_of(volume);
+        volumes.push_back({{"name", volume.name},
+                           {"where", to_string(volume.where)},
+                           {"size", {volume.size_x, volume.size_y, volume.size_z}},
+                           {"channels", volume.channels},
+                           {"least", json_of(statistics.least)},
+                           {"mean", json_of(statistics.mean)},
+                           {"largest", json_of(statistics.largest)},
+                           {"bytes", statistics.bytes},
+                           {"low", json_of(to_file_space(scene, box.low))},
+                           {"high", json_of(to_file_space(scene, box.high))}});
+    }
+    return volumes;
+}
+
 Json media_of(const Scene& scene)
 {
     Json media = Json::array();
@@ -38,7 +64,9 @@ Json media_of(const Scene& scene)
         media.push_back({{"name", medium.name},
                          {"where", to_string(medium.where)},
                          {"sigma_t", json_of(medium.sigma_t / scene.unit)},
-                         {"albedo", json_of(medium.albedo)}});
+                         {"density", volume_number(medium.density)},
+                         {"albedo", json_of(medium.albedo)},
+                         {"albedo_volume", volume_number(medium.albedo_volume)}});
         media.back().update(phase_of(medium.phase));
     }
     return media;
@@ -106,6 +134,7 @@ std::string to_json(const Scene& scene)
     json["film"] = film_of(scene.camera);
     json["camera_medium"] = medium_name(scene, scene.camera.medium);
     json["media"] = media_of(scene);
+    json["volumes"] = volumes_of(scene);
     json["bsdfs"] = bsdfs_of(scene);
     json["shapes"] = shapes_of(scene);
     json["emitters"] = emitters_of(scene);

@@ -44,6 +44,13 @@ void add_device(const RenderSettings& settings, const std::string& layer, std::u
     memory.push_back({layer + ": two tiles of shadow segments", 2 * pairs * (packet + contribution), true});
 }
 
+std::uint64_t grid_bytes(const Scene& scene)
+{
+    std::uint64_t bytes = 0;
+    for (const Volume& volume : scene.volumes) bytes += volume.values.size() * sizeof(float);
+    return bytes;
+}
+
 }  // namespace
 
 std::size_t eyes_at_a_time(std::uint32_t features) { return features & feature_bit::heterogeneous ? 1u << 16 : 1u << 19; }
@@ -53,11 +60,14 @@ std::vector<MemoryReport> estimate_memory(const Scene& scene, const RenderSettin
     const std::uint64_t pixels = static_cast<std::uint64_t>(scene.camera.crop_width) * static_cast<std::uint64_t>(scene.camera.crop_height);
     std::vector<MemoryReport> memory{{"film", film_bytes(pixels, settings, plan.rendered().size())},
                                      {"image of a pass", pixels * (plan.rendered().size() * sizeof(Rgb) + features_bytes)}};
+    const std::uint64_t grids = grid_bytes(scene);
+    if (grids > 0) memory.push_back({"grids of voxels", grids});
     if (!plan.virtual_lights()) return memory;
     const std::uint64_t kinds = (plan.media_to_media ? 1u : 0u) + (plan.media_to_surface ? 1u : 0u);
     memory.push_back({"eye segments and eye points", pixels * kinds * sizeof(EyeSegment)});
     if (plan.media_to_media) add_device(settings, "media_to_media", pixels, masks.media_to_media, lights, memory);
     if (plan.media_to_surface) add_device(settings, "media_to_surface", pixels, masks.media_to_surface, lights, memory);
+    if (grids > 0) memory.push_back({"grids of voxels, once for each kind of eye", kinds * grids, true});
     return memory;
 }
 

@@ -7,6 +7,7 @@
 
 #include "eye_tracing/eye_tracing.hpp"
 #include "scene/text.hpp"
+#include "scene/volume_values.hpp"
 #include "transport/emitter.hpp"
 #include "transport/random_sequence.hpp"
 
@@ -67,10 +68,11 @@ void doubt_unseen_media(const Scene& scene, const Visibility& visibility, std::v
                                                                      in_quotes(scene.media[i].name))));
 }
 
-/// Length of the diagonal of what the medium fills, as far as boundaries tell; of the scene for a medium without.
+/// Length of the diagonal of what the medium fills, as far as its grid or boundaries tell; of the scene for a medium without.
 double extent_of(const Scene& scene, int medium)
 {
     Bounds bounds;
+    if (const int density = scene.media[static_cast<std::size_t>(medium)].density; density != none) return 2 * bounds_of(scene.volumes[static_cast<std::size_t>(density)]).radius();
     for (const Shape& shape : scene.shapes) {
         if (!shape.medium_boundary || shape.interior != medium) continue;
         const Bounds b = bounds_of(shape);
@@ -82,15 +84,15 @@ double extent_of(const Scene& scene, int medium)
 void doubt_medium(const Scene& scene, int index, Method method, std::vector<std::string>& doubts)
 {
     const Medium& medium = scene.media[static_cast<std::size_t>(index)];
-    const double sigma_t = greatest(medium.sigma_t), thickness = sigma_t * extent_of(scene, index), scene_size = 2 * bounds_of(scene).radius();
+    const double sigma_t = greatest(largest_extinction(scene, medium)), thickness = sigma_t * extent_of(scene, index), scene_size = 2 * bounds_of(scene).radius();
     if (sigma_t <= 0) return;
     if (method == Method::vrl && thickness > thick && greatest(medium.sigma_s()) > 0)
-        doubts.push_back(about(medium.where, fmt::format("medium {} is {:.3g} mean free paths thick: virtual ray lights are the wrong tool above {:g}; use --method path",
-                                                         in_quotes(medium.name), thickness, thick)));
+        doubts.push_back(about(medium.where, fmt::format("medium {} is {}{:.3g} mean free paths thick: virtual ray lights are the wrong tool above {:g}; use --method path",
+                                                         in_quotes(medium.name), medium.density == none ? "" : "up to ", thickness, thick)));
     const double relative = 1 / (sigma_t * scene_size);  // mean free path over the scene's size
     if (relative > longest || relative < shortest)
-        doubts.push_back(about(medium.where, fmt::format("medium {}: its mean free path is {:.3g} times the size of the scene; check the units of sigma_t and of the lengths",
-                                                         in_quotes(medium.name), relative)));
+        doubts.push_back(about(medium.where, fmt::format("medium {}: its {}mean free path is {:.3g} times the size of the scene; check the units of sigma_t and of the lengths",
+                                                         in_quotes(medium.name), medium.density == none ? "" : "shortest ", relative)));
 }
 
 }  // namespace

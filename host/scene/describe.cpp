@@ -8,6 +8,7 @@
 #include "scene/phases.hpp"
 #include "scene/render_space.hpp"
 #include "scene/text.hpp"
+#include "scene/volume_values.hpp"
 
 namespace tyndall {
 
@@ -66,10 +67,30 @@ std::string camera_words(const Scene& scene)
     return text;
 }
 
+std::string varying_medium_words(const Scene& scene, const Medium& medium, const std::string& phase)
+{
+    const auto grid_name = [&](int volume) { return in_quotes(scene.volumes[static_cast<std::size_t>(volume)].name); };
+    const Rgb largest = largest_extinction(scene, medium);
+    const double across = medium.density == none ? diagonal(scene) : 2 * bounds_of(scene.volumes[static_cast<std::size_t>(medium.density)]).radius();
+    const std::string sigma_t = medium.density == none ? words(medium.sigma_t / scene.unit) : fmt::format("{} x {}, at most {}", words(medium.sigma_t / scene.unit), grid_name(medium.density), words(largest / scene.unit));
+    const std::string albedo = medium.albedo_volume == none ? words(medium.albedo) : fmt::format("{}, at most {}", grid_name(medium.albedo_volume), words(medium.albedo));
+    return fmt::format("medium     {}: sigma_t {}; albedo {}; {}; optical thickness across its box at most {}\n", in_quotes(medium.name), sigma_t, albedo, phase, words(largest * across));
+}
+
 std::string medium_words(const Scene& scene, const Medium& medium)
 {
+    if (!medium.homogeneous()) return varying_medium_words(scene, medium, phase_words(medium.phase));
     return fmt::format("medium     {}: sigma_t {}, albedo {}, {}; optical thickness across the scene {}\n", in_quotes(medium.name),
                        words(medium.sigma_t / scene.unit), words(medium.albedo), phase_words(medium.phase), words(medium.sigma_t * diagonal(scene)));
+}
+
+std::string volume_words(const Scene& scene, const Volume& volume)
+{
+    const VolumeStatistics statistics = statistics_of(volume);
+    const Bounds box = bounds_of(volume);
+    return fmt::format("volume     {}: {} x {} x {} voxels of {}, values {} to {}, mean {}, {:.2f} MiB, from {} to {}\n", in_quotes(volume.name), volume.size_x, volume.size_y, volume.size_z,
+                       volume.channels == 1 ? "one channel" : "3 channels", words(statistics.least), words(statistics.largest), words(statistics.mean),
+                       static_cast<double>(statistics.bytes) / (1 << 20), point_words(to_file_space(scene, box.low)), point_words(to_file_space(scene, box.high)));
 }
 
 std::string shape_words(const Scene& scene, const Shape& shape)
@@ -130,6 +151,7 @@ std::string describe(const Scene& scene)
     text += fmt::format("integrator {}, max_depth {}\n", scene.integrator.empty() ? "(none named)" : in_quotes(scene.integrator),
                         scene.max_depth);
     for (const Medium& medium : scene.media) text += medium_words(scene, medium);
+    for (const Volume& volume : scene.volumes) text += volume_words(scene, volume);
     for (const Shape& shape : scene.shapes) text += shape_words(scene, shape);
     for (const Emitter& emitter : scene.emitters) text += emitter_words(scene, emitter);
     for (const Bsdf& bsdf : scene.bsdfs) text += bsdf_words(bsdf);

@@ -161,6 +161,7 @@ void add_warnings(SceneBuilder& builder)
     warn_of_unused_media(builder);
     warn_of_leaks(builder);
     warn_of_missing_refs(builder);
+    warn_of_grids(builder);
     if (builder.scene.emitters.empty()) builder.warn(builder.document.root().where, "the scene has no emitter: its image is black");
 }
 

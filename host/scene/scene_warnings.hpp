@@ -5,8 +5,11 @@
 namespace tyndall {
 
 /// A medium that nothing refers to; a container that is not closed; a camera or a light that stands in a medium without its ref; no light
-/// at all.
+/// at all; what warn_of_grids says.
 void add_warnings(SceneBuilder& builder);
+
+/// A grid of density that lies outside of the shapes that hold its medium, or sticks out of them. Told from nine places in its box.
+void warn_of_grids(SceneBuilder& builder);
 
 /// The medium at `to`, found from the medium at `from` by crossing every medium boundary on the straight line between them. Needs no
 /// acceleration structure: the loader calls it once per light.

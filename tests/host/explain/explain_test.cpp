@@ -121,6 +121,37 @@ TEST(Explain, DoubtsMeanFreePathsOnAnotherScale)
     EXPECT_THAT(thick.warnings, AllOf(Contains(HasSubstr("check the units of sigma_t")), Contains(HasSubstr("wrong tool"))));
 }
 
+/// The box of fog with a grid of 8^3 voxels in it, one of them `densest`, the others 1.
+Scene box_of_smoke(float densest)
+{
+    Scene scene = box_of_fog();
+    Volume volume{.name = "smoke.vol", .size_x = 8, .size_y = 8, .size_z = 8, .values = std::vector<float>(512, 1.f), .where = scene.media[0].where};
+    const Bounds box = bounds_of(scene.shapes[0]);
+    for (int axis = 0; axis < 3; ++axis) volume.to_world[axis][axis] = box.high[axis] - box.low[axis], volume.to_world[3][axis] = box.low[axis];
+    volume.values[77] = densest;
+    scene.volumes.push_back(volume), scene.media[0].density = 0;
+    return scene;
+}
+
+TEST(Explain, GridsTakeMemoryOnHostAndDevice)
+{
+    const auto bytes = [](const Scene& scene, bool on_device) {
+        std::uint64_t sum = 0;
+        for (const MemoryReport& m : explained(scene).memory)
+            if (m.what.starts_with("grids of voxels") && m.on_device == on_device) sum += m.bytes;
+        return sum;
+    };
+    EXPECT_EQ(bytes(box_of_smoke(1), false), 2048u);
+    EXPECT_EQ(bytes(box_of_smoke(1), true), 2048u);  // of its one kind of eye
+    EXPECT_EQ(bytes(box_of_fog(), false) + bytes(box_of_fog(), true), 0u);
+}
+
+TEST(Explain, DoubtsGoByTheDensestVoxel)
+{
+    EXPECT_THAT(explained(box_of_smoke(17)).warnings, Not(Contains(HasSubstr("mean free paths thick"))));  // .5 x 17 x sqrt(12) = 29.4
+    EXPECT_THAT(explained(box_of_smoke(18)).warnings, Contains(HasSubstr("medium \"fog\" is up to 31.2 mean free paths thick: virtual ray lights are the wrong tool above 30")));
+}
+
 TEST(Explain, SavesWhatKernelsAreBuiltWithout)
 {
     const auto saved = [](const Explanation& e) {
