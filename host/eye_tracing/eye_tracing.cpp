@@ -45,7 +45,7 @@ public:
         for (bool first = true; largest(throughput_) > 0; first = false) {
             const RayWalk walk = visibility_.walk(ray_, medium_);
             if (first) note_features(walk);
-            if (!may_scatter()) return;
+            if (!may_scatter() || !(settings_.segments || settings_.points)) return;
             add_segments(walk);
             if (!walk.found) return;
             throughput_ *= transmittance_of(scene_, walk);
@@ -80,8 +80,8 @@ private:
     {
         const Medium& medium = scene_.media[static_cast<std::size_t>(piece.medium)];
         if (medium.density == none) return medium.sigma_t != Rgb(0);
-        const LineExtent extent = extent_of(scene_, {.medium = medium, .origin = walk.origin, .direction = walk.direction, .t0 = piece.t0, .t1 = piece.t1});
-        return extent.t1 > extent.t0;
+        const MediumLine line{.medium = medium, .origin = walk.origin, .direction = walk.direction, .t0 = piece.t0, .t1 = piece.t1};
+        return reach_depth(scene_, line, 0, 0).reached || reach_depth(scene_, line, 1, 0).reached || reach_depth(scene_, line, 2, 0).reached;
     }
 
     void add_segments(const RayWalk& walk)
@@ -89,15 +89,15 @@ private:
         Rgb throughput = throughput_;
         for (const MediumPiece& piece : walk.pieces) {
             if (piece.medium == vacuum) continue;
-            const Medium& medium = scene_.media[static_cast<std::size_t>(piece.medium)];
-            const MediumLine line{.medium = medium, .origin = ray_.origin, .direction = ray_.direction, .t0 = piece.t0, .t1 = piece.t1};
-            const auto [start, length] = lit_stretch(scene_, line);
-            const Vec3 origin = ray_.origin + start * ray_.direction, d = ray_.direction;
             const uint key = next_key();  // also if nobody asks for segments: the numbers that follow are the same then
-            if (settings_.segments && length > 0 && largest(throughput * medium.sigma_s()) > 0)
-                row_.segments.push_back({f(origin.x), f(origin.y), f(origin.z), f(length), f(d.x), f(d.y), f(d.z), static_cast<uint>(piece.medium), f(throughput.r),
+            if (!settings_.segments) continue;
+            const Medium& medium = scene_.media[static_cast<std::size_t>(piece.medium)];
+            const LitStretch lit = lit_stretch(scene_, {.medium = medium, .origin = ray_.origin, .direction = ray_.direction, .t0 = piece.t0, .t1 = piece.t1});
+            const Vec3 origin = ray_.origin + lit.start * ray_.direction, d = ray_.direction;
+            if (lit.length > 0 && largest(throughput * medium.sigma_s()) > 0)
+                row_.segments.push_back({f(origin.x), f(origin.y), f(origin.z), f(lit.length), f(d.x), f(d.y), f(d.z), static_cast<uint>(piece.medium), f(throughput.r),
                                          f(throughput.g), f(throughput.b), static_cast<uint>(depth_), pixel_, key, 0, 0});
-            throughput *= glm::exp(-optical_depth(scene_, line));
+            throughput *= glm::exp(-lit.whole);
         }
     }
 

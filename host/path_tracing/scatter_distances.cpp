@@ -10,8 +10,8 @@ double pdf_tracking(double sigma, double depth, double total) { return sigma * s
 
 }  // namespace
 
-ScatterDistances::ScatterDistances(const Scene& scene, const MediumLine& line, const Rgb& throughput)
-    : scene_(scene), line_(line), mixture_{.sigma = line.medium.sigma_t, .share = throughput * line.medium.sigma_s(), .length = line.t1}, total_(optical_depth(scene, line))
+ScatterDistances::ScatterDistances(const Scene& scene, const MediumLine& line, const Rgb& throughput, const Rgb& depth)
+    : scene_(scene), line_(line), mixture_{.sigma = line.medium.sigma_t, .share = throughput * line.medium.sigma_s(), .length = line.t1}, total_(depth)
 {
     if (line.medium.density != none)
         for (int c = 0; c < 3; ++c)

@@ -13,8 +13,9 @@ struct PointOnStretch {
 
 class ScatterDistances {
 public:
-    /// The stretch is origin + u direction, 0 <= u <= line.t1 (line.t0 is 0). Channels are chosen in proportion to throughput x scattering.
-    ScatterDistances(const Scene& scene, const MediumLine& line, const Rgb& throughput);
+    /// The stretch is origin + u direction, 0 <= u <= line.t1 (line.t0 is 0), `depth` its optical depth. Channels are chosen in proportion to throughput x
+    /// scattering.
+    ScatterDistances(const Scene& scene, const MediumLine& line, const Rgb& throughput, const Rgb& depth);
 
     /// Nothing on the stretch scatters light that reaches the camera: there is nothing to sample.
     bool empty() const { return !(sum(mixture_.share) > 0); }

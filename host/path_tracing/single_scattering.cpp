@@ -34,8 +34,8 @@ struct Stretch {
     Rgb throughput;  ///< up to its origin
     ScatterDistances distances;
 
-    Stretch(const Scene& scene, const MediumLine& line, int index, const Rgb& arriving)
-        : medium(line.medium), medium_index(index), origin(line.origin), direction(line.direction), length(line.t1), throughput(arriving), distances(scene, line, arriving)
+    Stretch(const Scene& scene, const MediumLine& line, int index, const Rgb& arriving, const Rgb& depth)
+        : medium(line.medium), medium_index(index), origin(line.origin), direction(line.direction), length(line.t1), throughput(arriving), distances(scene, line, arriving, depth)
     {
     }
 };
@@ -94,8 +94,8 @@ private:
             const Rgb arriving = throughput * glm::exp(-depth);
             if (lit.length > 0 && largest(arriving * medium.sigma_s()) > 0)
                 radiance += scatter(Stretch(scene_, {.medium = medium, .origin = ray.origin + lit.start * ray.direction, .direction = ray.direction, .t0 = 0, .t1 = lit.length},
-                                            piece.medium, arriving));
-            depth += optical_depth(scene_, line);
+                                            piece.medium, arriving, lit.depth));
+            depth += lit.whole;
         }
         return radiance;
     }

@@ -7,6 +7,8 @@ namespace tyndall {
 /// From t = start, over `length`; <= 0: none of it.
 struct LitStretch {
     double start, length;
+    Rgb depth;  ///< its optical depth
+    Rgb whole;  ///< that of the whole line
 };
 
 /// The part of the line where the medium is not empty, up to where it is opaque (opaque_distance.hpp). `before`: optical depth already behind the light.

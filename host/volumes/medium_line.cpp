@@ -22,6 +22,9 @@ const Volume& density_of(const Scene& scene, const Medium& medium) { return scen
 
 maths_double::real3 real3_of(const Vec3& v) { return {v.x, v.y, v.z}; }
 
+/// The corners are not negative.
+bool is_empty(const GridCell& c) { return c.v000 + c.v100 + c.v010 + c.v110 + c.v001 + c.v101 + c.v011 + c.v111 == 0; }
+
 /// A line on its way through the cells of a density grid. Shares of the line run from 0 at t0 to 1 at t1.
 class DensityWalk {
 public:
@@ -64,6 +67,18 @@ public:
         return share;
     }
 
+    /// Where the last of the channels gets to what is left of its limit; the piece's end if one does not. `through`: depth of the whole piece.
+    double share_of_last(const Rgb& left, const Rgb& through) const
+    {
+        double share = beginning();
+        for (int c = 0; c < 3; ++c) {
+            if (!(left[c] > 0)) continue;
+            if (!(left[c] < through[c])) return end();
+            share = std::max(share, share_at(c, left[c]));
+        }
+        return share;
+    }
+
 private:
     void load()
     {
@@ -71,7 +86,7 @@ private:
         for (int c = 0; c < volume_.channels; ++c)
             cells_[c] = maths_double::load_cell(maths_double::grid_channel(grid_, static_cast<uint>(c)), volume_.values.data(), walk_.cell);
     }
-    double integral(int c, double share) const { return maths_double::walk_integral(walk_, cells_[c], walk_.t, share); }
+    double integral(int c, double share) const { return is_empty(cells_[c]) ? 0 : maths_double::walk_integral(walk_, cells_[c], walk_.t, share); }
 
     const MediumLine& line_;
     const Volume& volume_;
@@ -80,6 +95,13 @@ private:
     unsigned left_;
     GridCell cells_[3]{};
 };
+
+/// No limit is looked at: opaque_distance.hpp knows it in closed form.
+LineExtent extent_in_constant(const MediumLine& line)
+{
+    const Rgb depth = (line.t1 - line.t0) * line.medium.sigma_t;
+    return {line.t0, line.t1, depth, depth};
+}
 
 Rgb value_at(const Volume& volume, const Vec3& point, bool clamped)
 {
@@ -131,18 +153,23 @@ DepthReached reach_depth(const Scene& scene, const MediumLine& line, int channel
     return result;
 }
 
-LineExtent extent_of(const Scene& scene, const MediumLine& line)
+LineExtent extent_of(const Scene& scene, const MediumLine& line, const Rgb& limit)
 {
-    if (line.medium.density == none) return {line.t0, line.t1};
+    if (line.medium.density == none) return extent_in_constant(line);
     LineExtent extent{line.t1, line.t0};
-    bool empty = true;
+    bool cut = !(largest(limit) > 0);
     for (DensityWalk walk(scene, line); walk.in_grid(); walk.next()) {
-        if (!(largest(walk.depth_to(walk.end())) > 0)) continue;
-        if (empty) extent.t0 = walk.t_of(walk.beginning());
-        extent.t1 = walk.t_of(walk.end());
-        empty = false;
+        const Rgb through = walk.depth_to(walk.end());
+        if (!(largest(through) > 0)) continue;
+        if (!cut) {
+            if (extent.whole == Rgb(0)) extent.t0 = walk.t_of(walk.beginning());
+            const double end = walk.share_of_last(limit - extent.whole, through);
+            cut = end < walk.end();
+            extent.t1 = walk.t_of(end), extent.depth = extent.whole + (cut ? walk.depth_to(end) : through);
+        }
+        extent.whole += through;
     }
-    return empty ? LineExtent{line.t0, line.t0} : extent;
+    return extent;
 }
 
 }  // namespace tyndall

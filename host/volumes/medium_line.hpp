@@ -30,10 +30,14 @@ struct DepthReached {
 };
 DepthReached reach_depth(const Scene& scene, const MediumLine& line, int channel, double depth);
 
-/// The part of a line outside of which the medium is empty. Nothing of it is left if t1 <= t0.
+/// The part of a line that matters: between the first and the last place where the medium is not empty, and no farther than to where the optical depth has
+/// reached a limit in every channel (in a grid; all of a line in a homogeneous medium). Nothing is left if t1 <= t0.
 struct LineExtent {
     double t0, t1;
+    Rgb depth{0};  ///< optical depth of this part
+    Rgb whole{0};  ///< of the whole line
 };
-LineExtent extent_of(const Scene& scene, const MediumLine& line);
+inline constexpr double no_limit = 1e300;
+LineExtent extent_of(const Scene& scene, const MediumLine& line, const Rgb& limit = Rgb(no_limit));
 
 }  // namespace tyndall

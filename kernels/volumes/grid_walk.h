@@ -74,13 +74,14 @@ PURE real between_centres(real at, real cell)
     return select(f, R(1.0), f > R(1.0));
 }
 
-/// Trilinear between the corners; never below the least of them.
+/// Trilinear between the corners, which are not negative, and so it is not: b - a >= -a also when rounded. No fma: nothing cancels, and on the host each would
+/// be a call of the library.
 PURE real value_in_cell(GridCell c, real x, real y, real z)
 {
-    real v00 = fma(x, c.v100 - c.v000, c.v000), v10 = fma(x, c.v110 - c.v010, c.v010);
-    real v01 = fma(x, c.v101 - c.v001, c.v001), v11 = fma(x, c.v111 - c.v011, c.v011);
-    real v0 = fma(y, v10 - v00, v00), v1 = fma(y, v11 - v01, v01);
-    return fma(z, v1 - v0, v0);
+    real v00 = c.v000 + x * (c.v100 - c.v000), v10 = c.v010 + x * (c.v110 - c.v010);
+    real v01 = c.v001 + x * (c.v101 - c.v001), v11 = c.v011 + x * (c.v111 - c.v011);
+    real v0 = v00 + y * (v10 - v00), v1 = v01 + y * (v11 - v01);
+    return v0 + z * (v1 - v0);
 }
 
 /// The cell number along one axis for a position; on a plane between two cells the one that is ahead.
@@ -174,7 +175,7 @@ PURE GridWalk next_cell(GridWalk w)
 /// Value at t, which lies in the present cell.
 PURE real walk_value(GridWalk w, GridCell c, real t)
 {
-    real3 at = along3(w.start, t, w.way);
+    real3 at = make_real3(w.start.x + t * w.way.x, w.start.y + t * w.way.y, w.start.z + t * w.way.z);
     return value_in_cell(c, between_centres(at.x, w.cell.x), between_centres(at.y, w.cell.y), between_centres(at.z, w.cell.z));
 }
 

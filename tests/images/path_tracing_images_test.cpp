@@ -22,7 +22,8 @@ INSTANTIATE_TEST_SUITE_P(Reference, PathTracedImage,
                                          at_most_one_scattering(fog_cube, path(200)), all_media_to_media(fog_room, path(2300)),
                                          all_media_to_media(juice, path(1800)), all_media_to_media(fog_cube, path(1200)),
                                          double_scattering(fog_room, path(2900)), double_scattering(juice, path(2500)),
-                                         double_scattering(fog_cube, path(950))),
+                                         double_scattering(fog_cube, path(950)), whole_image(plume, path(40)), at_most_one_scattering(plume, path(120)),
+                                         all_media_to_media(plume, path(400)), double_scattering(plume, path(340))),
                          name_of);
 
 }  // namespace

@@ -38,6 +38,6 @@ ReferenceCase at_most_one_scattering(const std::string& scene, const RenderSetti
 ReferenceCase all_media_to_media(const std::string& scene, const RenderSettings& settings);      ///< black surfaces
 ReferenceCase double_scattering(const std::string& scene, RenderSettings settings);              ///< black surfaces
 
-inline constexpr const char *fog_room = "a_cornell_iso", *juice = "b_juice_spot", *fog_cube = "i_bounded_fog";
+inline constexpr const char *fog_room = "a_cornell_iso", *juice = "b_juice_spot", *fog_cube = "i_bounded_fog", *plume = "d_plume_iso";
 
 }  // namespace tyndall::test

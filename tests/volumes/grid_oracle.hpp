@@ -39,9 +39,9 @@ public:
         const Big length = sqrt(square);
         Answer answer{integral(start, way) * length, inside(start) ? value(start) : Big(0), value(start), 0, 0};
         // A coordinate carries three roundings of the terms of its sum, as its way does, and two of their combination; a value moves by no more than
-        // `largest` per voxel along each of three axes, and its own seven interpolations round seven times.
+        // `largest` per voxel along each of three axes, and its own interpolations round thrice on each of the three axes, by half a spacing.
         const Big shift = 4 * epsilon * std::max(terms(a), terms(b));
-        answer.value_tolerance = largest_ * (3 * shift + 4 * epsilon);
+        answer.value_tolerance = largest_ * (3 * shift + 5 * epsilon);
         for (std::size_t k = 0; k < 3; ++k)
             for (const Big& out : {Big(abs(start[k])), Big(abs(start[k] - size_[k]))}) answer.on_the_edge |= out > 0 && out <= shift;
         Big clipped = 0;  // how far the ends of the chord through the box may lie from where they should

@@ -140,7 +140,10 @@ TEST(LitStretch, EndsWhereTheLastChannelThatScattersIsOpaque)
     const LitStretch lit = lit_stretch(s.scene, line);
     EXPECT_NEAR(lit.start, 2 - .375, 1e-6);
     EXPECT_NEAR(lit.start + lit.length, 2 - .125 + 104. / 500 - .125, 1e-5);
+    expect_near(lit.whole, optical_depth(s.scene, line), 1e-12);
+    EXPECT_NEAR(lit.depth.y, 104, 1e-9);
     EXPECT_LT(lit_stretch(s.scene, line, Rgb(200)).length, 0);
+    expect_near(lit_stretch(s.scene, line, Rgb(200)).whole, lit.whole, 0);
     EXPECT_NEAR(lit_stretch(s.scene, line, Rgb(200, 0, 0)).length, lit.length, 1e-12);
     const MediumLine beside{.medium = line.medium, .origin = {2, 0, -2}, .direction = {0, 0, 1}, .t0 = .5, .t1 = 1e30};
     EXPECT_LE(lit_stretch(s.scene, beside).length, 0);

@@ -85,7 +85,7 @@ TEST(ScatterDistances, FollowTheirDensityInGrids)
     BuiltScene s;
     const int volume = add_volume(s, {8, 3, 5}, turned_box({1, .8, 1.2}), blotches, 3), smoke = add_grid_medium(s, volume, {.5, 3, 9}, {.9, .8, .3});
     const MediumLine line{.medium = s.scene.media[std::size_t(smoke)], .origin = {-.9, .11, -.07}, .direction = glm::normalize(Vec3(1, -.1, .12)), .t0 = 0, .t1 = 2};
-    const ScatterDistances distances(s.scene, line, {1, .5, 2});
+    const ScatterDistances distances(s.scene, line, {1, .5, 2}, optical_depth(s.scene, line));
     constexpr int bins = 40, draws = 200000, fine = 500;
     std::vector<double> counts(bins, 0.0), observed{0}, expected{0};
     RandomSequence random = numbers(21);
@@ -114,11 +114,12 @@ TEST(ScatterDistances, OfAnEmptyStretchAreNone)
     const int volume = add_volume(s, {2, 1, 1}, glm::translate(Mat4(1), Vec3(-.5)), [](int, const glm::ivec3& v) { return double(v.x); });
     const int smoke = add_grid_medium(s, volume, {1, 0, 2}, Rgb(.5));
     const MediumLine empty{.medium = s.scene.media[std::size_t(smoke)], .origin = {-.4, -.3, 0}, .direction = {0, 1, 0}, .t0 = 0, .t1 = .6};
-    EXPECT_TRUE(ScatterDistances(s.scene, empty, Rgb(1)).empty());
+    const auto nothing_on = [&](const MediumLine& line, const Rgb& throughput) { return ScatterDistances(s.scene, line, throughput, optical_depth(s.scene, line)).empty(); };
+    EXPECT_TRUE(nothing_on(empty, Rgb(1)));
     MediumLine full = empty;
     full.origin.x = .4;
-    EXPECT_FALSE(ScatterDistances(s.scene, full, Rgb(1)).empty());
-    EXPECT_TRUE(ScatterDistances(s.scene, full, Rgb(0, 1, 0)).empty()) << "the only channel with light has no extinction";
+    EXPECT_FALSE(nothing_on(full, Rgb(1)));
+    EXPECT_TRUE(nothing_on(full, Rgb(0, 1, 0))) << "the only channel with light has no extinction";
 }
 
 }  // namespace
