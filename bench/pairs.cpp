@@ -100,17 +100,26 @@ struct Alone {
     const char* name;
     EyeKind eyes;
     int sampler;
+    double g = .55;
+    int sequence = SEQUENCE_RANDOM;
 };
 
 /// Programs that the baseline has no counterpart of: Henyey-Greenstein, grey.
 const Alone without_baseline[] = {{"product_sampler", EyeKind::segments, SAMPLER_PAPER},
+                                  {"paper_6", EyeKind::segments, SAMPLER_PAPER_6},
+                                  {"table", EyeKind::segments, SAMPLER_TABLE},
+                                  {"table_4x4", EyeKind::segments, SAMPLER_TABLE_4X4},
+                                  {"table_3x2", EyeKind::segments, SAMPLER_TABLE_3X2},
+                                  {"table_3x2_isotropic", EyeKind::segments, SAMPLER_TABLE_3X2, 0},
+                                  {"paper_6_isotropic", EyeKind::segments, SAMPLER_PAPER_6, 0},
+                                  {"isotropic_sampler_sobol", EyeKind::segments, SAMPLER_PAPER_ISOTROPIC, .55, SEQUENCE_SOBOL},
                                   {"surface_points", EyeKind::points, SAMPLER_PAPER_ISOTROPIC}};
 
 void pairs_alone(benchmark::State& state, const Alone& what, int lanes)
 {
-    const WorkloadWishes wishes;
+    const WorkloadWishes wishes{.g = what.g};
     const Workload work = make_workload(wishes);
-    PairStage stage(device(), {.eyes = what.eyes, .features = features_of(wishes), .lanes = lanes, .sampler = what.sampler}, work.tables);
+    PairStage stage(device(), {.eyes = what.eyes, .features = features_of(wishes), .lanes = lanes, .sampler = what.sampler, .sequence = what.sequence}, work.tables);
     begin(stage, work, what.eyes);
     gathered(stage, work);
     for (auto _ : state) {

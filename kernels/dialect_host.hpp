@@ -33,12 +33,14 @@ namespace tyndall::maths_float {
 #undef MATHS_H
 #undef STABLE_H
 #undef RANDOM_H
+#undef SOBOL_H
 #undef ROD_H
 #undef EQUIANGULAR_H
 #undef PAIR_WEIGHT_H
 #undef PHASE_FUNCTION_H
 #undef PHASE_PRODUCT_H
 #undef PHASE_LOBES_H
+#undef ROD_TABLE_H
 #undef TRANSMITTANCE_H
 #undef SURFACE_ROD_H
 #undef LINEAR_PIECE_H

@@ -53,9 +53,12 @@ void add_transport(CLI::App& app, RenderSettings& settings, LayerSet& layers)
     add(app, "--light-segments", "WHICH", "all, or first: only those that leave the emitter (all)", [&](const auto& text) {
         settings.light_segments = parse_choice("--light-segments", text, {"all", "first"}) == 0 ? LightSegments::all : LightSegments::first;
     });
-    add(app, "--sampler", "NAME", "of connections: auto, paper-isotropic (by angle), or paper (by the product of the phase functions)", [&](const auto& text) {
-        constexpr std::array samplers{Sampler::automatic, Sampler::paper_isotropic, Sampler::paper};
-        settings.sampler = samplers[parse_choice("--sampler", text, {"auto", "paper-isotropic", "paper"})];
+    add(app, "--sampler", "NAME", "of connections: auto, paper-isotropic, paper, paper-6, table, table-4x4 or table-3x2 (by how media scatter)", [&](const auto& text) {
+        constexpr std::array samplers{Sampler::automatic, Sampler::paper_isotropic, Sampler::paper, Sampler::paper_6, Sampler::table, Sampler::table_4x4, Sampler::table_3x2};
+        settings.sampler = samplers[parse_choice("--sampler", text, {"auto", "paper-isotropic", "paper", "paper-6", "table", "table-4x4", "table-3x2"})];
+    });
+    add(app, "--sequence", "NAME", "numbers of the samples: auto, random or sobol", [&](const auto& text) {
+        settings.sequence = std::array{Sequence::automatic, Sequence::random, Sequence::sobol}[parse_choice("--sequence", text, {"auto", "random", "sobol"})];
     });
     add(app, "--transmittance", "NAME", "through density grids: march, with an exact correction for one pair in 32, or exact (march)", [&](const auto& text) {
         settings.transmittance = parse_choice("--transmittance", text, {"march", "exact"}) == 0 ? GridTransmittance::march : GridTransmittance::exact;

@@ -131,6 +131,7 @@ struct PairStage::State {
 std::string build_options(const PairProgram& program)
 {
     return "-cl-std=CL1.2 -DLANES=" + std::to_string(program.lanes) + " -DFEATURES=" + std::to_string(program.features) + "u -DSAMPLER=" + std::to_string(program.sampler) +
+           " -DSEQUENCE=" + std::to_string(program.sequence) +
            (program.features & feature_bit::heterogeneous ? " -DTRANSMITTANCE=" + std::to_string(program.transmittance) : "");
 }
 

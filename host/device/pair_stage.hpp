@@ -25,7 +25,7 @@ struct PairProgram {
     EyeKind eyes = EyeKind::segments;
     std::uint32_t features = 0;               ///< mask of kernels/shared/scene_features.h
     int lanes = 16;
-    int sampler = 0;                          ///< kernels/shared/samplers.h
+    int sampler = 0, sequence = 0;            ///< kernels/shared/samplers.h
     std::uint32_t samples = 1;                ///< per pair; contributions are their sum
     int transmittance = 0;                    ///< kernels/shared/transmittance_modes.h; means something with HETEROGENEOUS only
 };

@@ -41,11 +41,13 @@ std::string grid_transmittance(const RenderSettings& settings, const LayerPlan& 
 PairProgram pair_program(const Scene& scene, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes)
 {
     const std::uint32_t features = kind == EyeKind::segments ? masks.media_to_media : masks.media_to_surface;
-    const bool samples_phase = kind == EyeKind::segments && (features & feature_bit::anisotropic);  // all others are the same program for every sampler
+    int sampler = kind == EyeKind::segments ? choose_sampler(scene, settings.sampler) : SAMPLER_PAPER_ISOTROPIC;  // points are the same program for every sampler
+    if (sampler == SAMPLER_PAPER && !(features & feature_bit::anisotropic)) sampler = SAMPLER_PAPER_ISOTROPIC;    // and so are these two
     return {.eyes = kind,
             .features = features,
             .lanes = lanes,
-            .sampler = samples_phase ? choose_sampler(scene, settings.sampler) : SAMPLER_PAPER_ISOTROPIC,
+            .sampler = sampler,
+            .sequence = choose_sequence(settings.sequence),
             .samples = static_cast<std::uint32_t>(settings.samples_per_pair),
             .transmittance = settings.transmittance == GridTransmittance::exact ? TRANSMITTANCE_EXACT : TRANSMITTANCE_MARCH};
 }

@@ -23,8 +23,14 @@ int choose_sampler(const Scene& scene, Sampler wanted)
     constexpr double product_wins_from = .5;  // unevenness
     if (wanted == Sampler::paper_isotropic) return SAMPLER_PAPER_ISOTROPIC;
     if (wanted == Sampler::paper) return SAMPLER_PAPER;
+    if (wanted == Sampler::paper_6) return SAMPLER_PAPER_6;
+    if (wanted == Sampler::table) return SAMPLER_TABLE;
+    if (wanted == Sampler::table_4x4) return SAMPLER_TABLE_4X4;
+    if (wanted == Sampler::table_3x2) return SAMPLER_TABLE_3X2;
     const bool uneven = std::any_of(scene.media.begin(), scene.media.end(), [](const Medium& m) { return unevenness(m.phase) >= product_wins_from; });
     return uneven ? SAMPLER_PAPER : SAMPLER_PAPER_ISOTROPIC;
 }
+
+int choose_sequence(Sequence wanted) { return wanted == Sequence::sobol ? SEQUENCE_SOBOL : SEQUENCE_RANDOM; }
 
 }  // namespace tyndall

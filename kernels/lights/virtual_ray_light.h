@@ -103,10 +103,40 @@ PURE real3 light_direction(VirtualRayLight light) { return make_real3((real)ligh
 // An eye segment's connection in three steps. Each is short enough for a processor to overlap it with the same step of the next pair, which all three
 // together are not; so the stages take a batch of pairs through one step before the next (kernels/stages/connection.h).
 
-/// Step 1, the marginal: where on the light.
-PURE RodSample place_on_light(EyeSegmentLanes eye, VirtualRayLight light, real xi)
+/// What the samplers follow: the least extinction of the three channels, so that no channel's light is sampled too rarely far away; along short lights
+/// none, because what they lose is what their density divides by.
+PURE GuideMedia guide_media(MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium)
 {
-    return sample_rod(sub3(light_origin(light), eye.origin), eye.direction, light_direction(light), (real)light.length, xi);
+    GuideMedia guide;
+    guide.g_eye = eye_medium.g, guide.g_light = (real)medium.g;
+    guide.sigma_eye = eye_medium.sigma_t.x, guide.sigma_leg = (real)medium.sigma_t_r;
+    if (COLOURED) {
+        guide.sigma_eye = fmin(guide.sigma_eye, fmin(eye_medium.sigma_t.y, eye_medium.sigma_t.z));
+        guide.sigma_leg = (real)fmin(medium.sigma_t_r, fmin(medium.sigma_t_g, medium.sigma_t_b));
+    }
+    if (HETEROGENEOUS && medium.density_grid != NO_GRID) guide.sigma_eye = guide.sigma_leg = R(0.0);  // where matter is, other densities know
+    guide.sigma_light = SHORT_LIGHTS && light.is_short != 0u ? R(0.0) : guide.sigma_leg;
+    return guide;
+}
+
+/// The numbers of the sampler that the kernel is built for.
+PURE TableShape table_shape(void)
+{
+    TableShape shape = {SAMPLER_NODES, SAMPLER_ANGLES, ANISOTROPIC};
+    return shape;
+}
+PURE WarpShape warp_shape(void)
+{
+    WarpShape shape = {SAMPLER_VERTICES, ANISOTROPIC, SAMPLER_ABSORBS};
+    return shape;
+}
+
+/// Step 1, the marginal: where on the light.
+PURE RodSample place_on_light(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, real xi)
+{
+    real3 q = sub3(light_origin(light), eye.origin), b = light_direction(light);
+    if (!SAMPLER_TABULATES) return sample_rod(q, eye.direction, b, (real)light.length, xi);
+    return sample_rod_table(q, eye.direction, b, (real)light.length, eye.length, guide_media(eye_medium, light, medium), table_shape(), xi);
 }
 
 /// Step 2, the conditional: where on the eye segment, and the weight of both choices.
@@ -115,9 +145,8 @@ PURE Places place_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, Virtua
 {
     real3 b = light_direction(light), p = along3(sub3(light_origin(light), eye.origin), rod.v, b);
     PhaseWarp warp = {xi, R(1.0)};
-    if (ANISOTROPIC) {
-        if (SAMPLER == SAMPLER_PAPER) warp = sample_lobe_product(p, eye.direction, eye.length, b, eye_medium.g, eye_medium.phase, phase_range(medium), tables, xi);
-    }
+    if (SAMPLER_WARPS)
+        warp = sample_lobe_product(p, eye.direction, eye.length, b, guide_media(eye_medium, light, medium), eye_medium.phase, phase_range(medium), tables, warp_shape(), xi);
     AngleSample angle = sample_equiangular(p, eye.direction, eye.length, warp.x);
     Places places;
     places.v = rod.v, places.u = angle.u;
@@ -127,19 +156,19 @@ PURE Places place_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, Virtua
 }
 
 /// Steps 1 and 2 for places that another density has drawn: the weight that the two would have given them.
-PURE RodSample find_on_light(EyeSegmentLanes eye, VirtualRayLight light, real v)
+PURE RodSample find_on_light(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, real v)
 {
-    return rod_at(sub3(light_origin(light), eye.origin), eye.direction, light_direction(light), (real)light.length, v);
+    real3 q = sub3(light_origin(light), eye.origin), b = light_direction(light);
+    if (!SAMPLER_TABULATES) return rod_at(q, eye.direction, b, (real)light.length, v);
+    return rod_table_at(q, eye.direction, b, (real)light.length, eye.length, guide_media(eye_medium, light, medium), table_shape(), v);
 }
 PURE Places find_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, RodSample rod, PhaseTables tables, real u)
 {
     real3 b = light_direction(light), p = along3(sub3(light_origin(light), eye.origin), rod.v, b);
     real density = R(1.0);
-    if (ANISOTROPIC) {
-        if (SAMPLER == SAMPLER_PAPER)
-            density = pdf_lobe_product(p, eye.direction, eye.length, b, eye_medium.g, eye_medium.phase, phase_range(medium), tables,
-                                       invert_equiangular(p, eye.direction, eye.length, u));
-    }
+    if (SAMPLER_WARPS)
+        density = pdf_lobe_product(p, eye.direction, eye.length, b, guide_media(eye_medium, light, medium), eye_medium.phase, phase_range(medium), tables, warp_shape(),
+                                   invert_equiangular(p, eye.direction, eye.length, u));
     Places places;
     places.v = rod.v, places.u = u;
     places.weight = pair_weight(rod, angle_at(p, eye.direction, eye.length, u)) / density;
@@ -185,7 +214,7 @@ PURE Connection connect_segment_at(EyeSegmentLanes eye, MediumLanes eye_medium, 
 /// The three steps for one pair in homogeneous media.
 PURE Connection connect_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, PhaseTables tables, Random2 xi)
 {
-    RodSample rod = place_on_light(eye, light, xi.first);
+    RodSample rod = place_on_light(eye, eye_medium, light, medium, xi.first);
     Places at = place_on_segment(eye, eye_medium, light, medium, rod, tables, xi.second);
     return connect_segment_at(eye, eye_medium, light, medium, tables, at, even_matter(at.u), even_matter(at.v));
 }

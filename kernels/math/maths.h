@@ -5,6 +5,7 @@
 #include "kernels/dialect.h"
 #include "kernels/math/stable.h"
 #include "kernels/math/random.h"
+#include "kernels/math/sobol.h"
 #include "kernels/math/rod.h"
 #include "kernels/math/equiangular.h"
 #include "kernels/math/pair_weight.h"
@@ -13,6 +14,7 @@
 #include "kernels/math/phase_function.h"
 #include "kernels/math/phase_product.h"
 #include "kernels/math/phase_lobes.h"
+#include "kernels/math/rod_table.h"
 #include "kernels/math/surface_rod.h"
 #include "kernels/math/transmittance.h"
 

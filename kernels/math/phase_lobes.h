@@ -102,42 +102,45 @@ PURE real phase_at_cosine(PhaseRange range, PhaseTables tables, real mu)
     return sum;
 }
 
-/// Value at the angle psi: the product of both phase functions per steradian^2.
-PURE real lobe_product(PhaseFan fan, PhaseLanes eye, PhaseRange light, PhaseTables tables, real psi)
+/// Value in a direction of the fan: the product of both phase functions per steradian^2.
+PURE real lobe_product(PhaseFan fan, PhaseLanes eye, PhaseRange light, PhaseTables tables, FanDirection d)
 {
-    FanCosines mu = fan_cosines(fan, psi);
+    FanCosines mu = fan_cosines(fan, d);
     real of_eye = phase_at_cosine(eye.ranges[0], tables, mu.eye);
     for (uint i = 1; i < eye.count; ++i) of_eye = select(of_eye, phase_at_cosine(eye.ranges[i], tables, mu.eye), to_mask(eye.which == eye.medium[i]));
     return of_eye * phase_at_cosine(light, tables, mu.light);
 }
 
 /// As phase_table, for phase functions of which one at least has lobes.
-PURE PhaseTable lobe_table(PhaseFan fan, PhaseLanes eye, PhaseRange light, PhaseTables tables)
+PURE PhaseTable lobe_table(PhaseFan fan, PhaseLanes eye, PhaseRange light, PhaseTables tables, WarpShape shape)
 {
     PhaseTable t;
-    t.total = R(0.0);
-    for (int j = 0; j < PHASE_VERTICES; ++j) {
-        t.angle[j] = fan_vertex(fan, (real)(float)j);
-        t.value[j] = lobe_product(fan, eye, light, tables, t.angle[j]);
-        if (j > 0) t.total = fma(R(0.5) * (t.angle[j] - t.angle[j - 1]), t.value[j - 1] + t.value[j], t.total);
+    for (int j = 0; j < shape.vertices; ++j) {
+        t.x[j] = fan_vertex(fan, shape, (real)(float)j);
+        FanDirection d = fan_direction(fan, t.x[j]);
+        t.value[j] = lobe_product(fan, eye, light, tables, d);
+        if (shape.absorbs) t.value[j] = t.value[j] * fan_transmittance(fan, R(1.0) / fmax(d.sine, REAL_EPSILON), d.cosine);
     }
-    return t;
+    return with_even_share(t, shape);
 }
 
-/// As sample_phase_product. Vertices lie where a lobe of the sign of each medium's mean cosine has its peak; the even share covers every other.
-PURE PhaseWarp sample_lobe_product(real3 p, real3 a, real length, real3 b, real g_eye, PhaseLanes eye, PhaseRange light, PhaseTables tables, real xi)
+/// The table of phase functions with lobes or without. Vertices lie where a lobe of the sign of each medium's mean cosine has its peak; the even share covers every other.
+PURE PhaseTable product_table(PhaseFan fan, PhaseLanes eye, PhaseRange light, PhaseTables tables, WarpShape shape)
 {
-    PhaseFan fan = phase_fan(p, a, length, b, g_eye, (real)light.g);
-    if (!PHASE_LOBES || (eye.has_lobes == 0u && light.lobe_count == 0u)) return sample_phase_table(phase_table(fan), fan, xi);
-    return sample_phase_table(lobe_table(fan, eye, light, tables), fan, xi);
+    if (!PHASE_LOBES || (eye.has_lobes == 0u && light.lobe_count == 0u)) return phase_table(fan, shape);
+    return lobe_table(fan, eye, light, tables, shape);
+}
+
+/// As sample_phase_product.
+PURE PhaseWarp sample_lobe_product(real3 p, real3 a, real length, real3 b, GuideMedia media, PhaseLanes eye, PhaseRange light, PhaseTables tables, WarpShape shape, real xi)
+{
+    return warp_phase_table(product_table(phase_fan(p, a, length, b, media, shape), eye, light, tables, shape), shape, xi);
 }
 
 /// Density of sample_lobe_product's x, relative to uniform.
-PURE real pdf_lobe_product(real3 p, real3 a, real length, real3 b, real g_eye, PhaseLanes eye, PhaseRange light, PhaseTables tables, real x)
+PURE real pdf_lobe_product(real3 p, real3 a, real length, real3 b, GuideMedia media, PhaseLanes eye, PhaseRange light, PhaseTables tables, WarpShape shape, real x)
 {
-    PhaseFan fan = phase_fan(p, a, length, b, g_eye, (real)light.g);
-    if (!PHASE_LOBES || (eye.has_lobes == 0u && light.lobe_count == 0u)) return table_density(phase_table(fan), fan, x);
-    return table_density(lobe_table(fan, eye, light, tables), fan, x);
+    return table_density(product_table(phase_fan(p, a, length, b, media, shape), eye, light, tables, shape), shape, x);
 }
 
 #endif

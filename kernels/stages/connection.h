@@ -17,13 +17,14 @@ static inline void place_pairs(OnBoth* places, Eye eye, const EyeGroup* around, 
     real second[PAIR_BATCH];
     uint by_matter = 0u;   // bits: drawn from the tables of what lies along the rays
     for (uint i = 0; i < count; ++i) {
-        Random2 xi = random2(eye.key, counter + i);
         uint number = (counter + i) / samples;
-        if (HETEROGENEOUS && draws_matter(around, s, lights[number], number, counter + i)) {
+        Light light = lights[number];
+        Random2 xi = SEQUENCE == SEQUENCE_SOBOL ? scrambled_sobol2(eye.key, counter + i) : random2(eye.key, counter + i);
+        if (HETEROGENEOUS && draws_matter(around, s, light, number, counter + i)) {
             by_matter |= 1u << i;
-            on_light[i] = find_light(eye, lights[number], matter_on_light(s, lights[number], number, xi.first));
+            on_light[i] = find_light(eye, light, medium_of(s, light), matter_on_light(s, light, number, xi.first));
         } else {
-            on_light[i] = place_light(eye, lights[number], xi.first);
+            on_light[i] = place_light(eye, light, medium_of(s, light), xi.first);
         }
         second[i] = xi.second;
     }

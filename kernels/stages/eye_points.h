@@ -25,7 +25,7 @@ static inline Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundi
 
 typedef SurfaceRodSample OnLight;
 typedef SurfaceRodSample OnBoth;
-static inline OnLight place_light(Eye eye, Light light, real xi) { return place_on_light_from_point(eye.geometry, light, xi); }
+static inline OnLight place_light(Eye eye, Light light, MediumRecord medium, real xi) { return place_on_light_from_point(eye.geometry, light, xi); }
 static inline OnBoth place_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi) { return on_light; }
 static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnBoth at, Matter on_eye, Matter on_light)
 {
@@ -37,7 +37,7 @@ static inline Matter matter_to_eye(OnBoth at) { return even_matter(R(0.0)); }
 
 // Density grids: the same functions as for segments, with nothing along the eye.
 
-static inline OnLight find_light(Eye eye, Light light, real v) { return find_on_light_from_point(eye.geometry, light, v); }
+static inline OnLight find_light(Eye eye, Light light, MediumRecord medium, real v) { return find_on_light_from_point(eye.geometry, light, v); }
 static inline OnBoth find_eye(Eye eye, const OpticalTable* table, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi) { return on_light; }
 static inline Passed passed_to_eye(Eye eye, const OpticalTable* table, OnBoth at)
 {

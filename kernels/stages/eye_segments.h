@@ -27,7 +27,7 @@ static inline Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundi
 
 typedef RodSample OnLight;
 typedef Places OnBoth;
-static inline OnLight place_light(Eye eye, Light light, real xi) { return place_on_light(eye.geometry, light, xi); }
+static inline OnLight place_light(Eye eye, Light light, MediumRecord medium, real xi) { return place_on_light(eye.geometry, eye.medium, light, medium, xi); }
 static inline OnBoth place_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi)
 {
     return place_on_segment(eye.geometry, eye.medium, light, medium, on_light, tables, xi);
@@ -43,7 +43,7 @@ static inline Matter matter_to_eye(OnBoth at) { return even_matter(at.u); }
 // Density grids.
 
 /// A place on the light that its table drew, and one on the eye that its own draws, weighed as if the light had placed them.
-static inline OnLight find_light(Eye eye, Light light, real v) { return find_on_light(eye.geometry, light, v); }
+static inline OnLight find_light(Eye eye, Light light, MediumRecord medium, real v) { return find_on_light(eye.geometry, eye.medium, light, medium, v); }
 static inline OnBoth find_eye(Eye eye, const OpticalTable* table, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi)
 {
     real u = sample_matter(*table, eye.medium.sigma_t, eye.geometry.length, 0u, xi);

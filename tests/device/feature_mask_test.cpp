@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::uint32_t needs_host = feature_bit::occluders | feature_bit::nonconvex_media;
 
-std::vector<double> sums(Device& device, const testing::RandomPairs& pairs, EyeKind kind, std::uint32_t mask)
+std::vector<double> sums(Device& device, const testing::RandomPairs& pairs, EyeKind kind, std::uint32_t mask, int sampler = SAMPLER_PAPER_ISOTROPIC)
 {
-    PairStage stage(device, {.eyes = kind, .features = mask, .lanes = 16}, pairs.tables);
+    PairStage stage(device, {.eyes = kind, .features = mask, .lanes = 16, .sampler = sampler}, pairs.tables);
     return (mask & feature_bit::occluders) ? testing::sampled_and_accumulated(stage, pairs, kind, 1) : testing::gathered(stage, pairs, kind, 1000, 1024);
 }
 
@@ -38,6 +38,15 @@ TEST(FeatureMask, EverySingleSupersetGivesTheSameSums)
         }
         expect_same(sums(device, pairs, kind, all & ~needs_host), own, "all that the device does alone");
     }
+}
+
+TEST(FeatureMask, EverySingleSupersetGivesTheSameSumsByATable)
+{
+    Device device;
+    const auto pairs = testing::random_pairs({.eyes = 32, .lights = 100}, true);
+    const auto own = sums(device, pairs, EyeKind::segments, 0, SAMPLER_TABLE_3X2);
+    for (const std::uint32_t mask : {feature_bit::anisotropic, feature_bit::coloured, feature_bit::short_lights, feature_bit::boundaries})
+        expect_same(sums(device, pairs, EyeKind::segments, mask, SAMPLER_TABLE_3X2), own, "mask " + std::to_string(mask));
 }
 
 TEST(FeatureMask, LeavingOutWhatIsNeededChangesTheSums)

@@ -101,7 +101,26 @@ void lay_light_across(RandomPairs& pairs, std::uint32_t light)
     std::memcpy(pairs.lights.data(), all.data(), pairs.lights.size());
 }
 
-std::vector<double> host_sums(const RandomPairs& pairs, EyeKind kind, int sampler)
+void degenerate(RandomPairs& pairs)
+{
+    auto all = lights_of(pairs);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        maths_float::VirtualRayLight& l = all[i];
+        const EyeSegment& eye = pairs.segments[i % pairs.segments.size()];
+        const float wiggle = std::pow(10.f, -float(i / 8 % 8)), along = .3f * eye.length;
+        if (i % 8 < 4) l.direction_x = eye.direction_x, l.direction_y = eye.direction_y, l.direction_z = eye.direction_z;                              // parallel
+        if (i % 8 < 2) l.origin_x = eye.origin_x + wiggle * l.direction_y, l.origin_y = eye.origin_y - wiggle * l.direction_x, l.origin_z = eye.origin_z;  // and close
+        if (i % 8 == 2) l.origin_x = eye.origin_x + along * l.direction_x, l.origin_y = eye.origin_y + along * l.direction_y, l.origin_z = eye.origin_z + along * l.direction_z;
+        if (i % 8 == 4) l.origin_x = eye.origin_x, l.origin_y = eye.origin_y, l.origin_z = eye.origin_z;
+        if (i % 8 == 5)
+            l.origin_x = eye.origin_x + along * eye.direction_x - .1f * l.direction_x, l.origin_y = eye.origin_y + along * eye.direction_y - .1f * l.direction_y,
+            l.origin_z = eye.origin_z + along * eye.direction_z - .1f * l.direction_z;
+        if (i % 8 == 6) l.length = 0;
+    }
+    std::memcpy(pairs.lights.data(), all.data(), pairs.lights.size());
+}
+
+std::vector<double> host_sums(const RandomPairs& pairs, EyeKind kind, int sampler, int sequence)
 {
     using namespace maths_double;
     host_sampler = sampler;
@@ -118,7 +137,8 @@ std::vector<double> host_sums(const RandomPairs& pairs, EyeKind kind, int sample
             maths_double::VirtualRayLight light;
             std::memcpy(&light, &lights[k], sizeof light);
             const MediumRecord medium = pairs.tables.media[light.medium];
-            const auto xi = maths_float::random2(kind == EyeKind::segments ? s.key : p.key, k);
+            const uint key = kind == EyeKind::segments ? s.key : p.key;
+            const auto xi = sequence == SEQUENCE_SOBOL ? maths_float::scrambled_sobol2(key, k) : maths_float::random2(key, k);
             const Connection c = kind == EyeKind::segments
                                      ? connect_segment({wide(s.origin_x, s.origin_y, s.origin_z), wide(s.direction_x, s.direction_y, s.direction_z),
                                                         wide(s.throughput_r, s.throughput_g, s.throughput_b), s.length},

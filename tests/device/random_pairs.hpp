@@ -28,7 +28,10 @@ struct PairWishes {
 RandomPairs random_pairs(const PairWishes& wishes, bool container = false);
 
 /// Sum over lights, r g b per eye, by the same mathematics on the host in double (from the float records and the same random numbers).
-std::vector<double> host_sums(const RandomPairs& pairs, EyeKind kind, int sampler = SAMPLER_PAPER_ISOTROPIC);
+std::vector<double> host_sums(const RandomPairs& pairs, EyeKind kind, int sampler = SAMPLER_PAPER_ISOTROPIC, int sequence = SEQUENCE_RANDOM);
+
+/// Turns and moves some lights so that pairs are nearly parallel, on one line, touch, start at the eye, or have no length.
+void degenerate(RandomPairs& pairs);
 
 /// All tiles of a stage without occluders.
 std::vector<double> gathered(PairStage& stage, const RandomPairs& pairs, EyeKind kind, std::uint32_t tile_groups, std::uint32_t tile_lights, std::uint32_t vertex_limit = 0xffffffffu);

@@ -17,9 +17,19 @@ enum class SegmentLength { long_, short_ };  ///< a VRL ends at the next surface
 
 /// How a virtual ray light and an eye segment are connected [Novak et al. 2012].
 enum class Sampler {
-    automatic,        ///< the one that wins at equal time for the scene's phase functions (host/docs/performance.md)
+    automatic,        ///< the one that wins at equal time for the scene's media (host/docs/performance.md)
     paper_isotropic,  ///< rod-potential marginal, equi-angular conditional
     paper,            ///< rod-potential marginal, conditional in proportion to the product of the phase functions
+    paper_6,          ///< the same with six vertices and in proportion to the transmittance as well
+    table,            ///< marginal from a table of 8 places x 6 angles; conditional like paper_6's with ten vertices
+    table_4x4,        ///< 4 places x 4 angles, six vertices
+    table_3x2,        ///< 3 places x 2 angles, four vertices
+};
+/// The numbers that the samples of pairs are made from.
+enum class Sequence {
+    automatic,  ///< the one that wins at equal time
+    random,     ///< independent of each other
+    sobol,      ///< scrambled Sobol points along the samples of a pair and the lights of a pixel [Owen 1995]
 };
 
 /// How the transmittance through density grids is found (host/docs/features.md). Both are unbiased.
@@ -45,6 +55,7 @@ struct RenderSettings {
     LightSegments light_segments = LightSegments::all;
     SegmentLength segment_length = SegmentLength::long_;
     Sampler sampler = Sampler::automatic;
+    Sequence sequence = Sequence::automatic;
     GridTransmittance transmittance = GridTransmittance::march;
     std::optional<std::uint32_t> features;  ///< mask of kernels/shared/scene_features.h for all kernels; none: what the scene calls for
     std::string device;                ///< index, substring of the name, or platform:device; empty: the default device
