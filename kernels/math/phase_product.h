@@ -186,7 +186,8 @@ PURE PhaseWarp warp_phase_table(PhaseTable t, WarpShape shape, real xi)
     real within = fmin(fmax((target - below) / fmax(area, REAL_SMALLEST), R(0.0)), R(1.0)), r = sample_linear(f0, f1, within);
     PhaseWarp w;
     w.x = fmin(fmax(fma(to - from, r, from), R(0.0)), R(1.0));
-    w.density = fma(r, f1 - f0, f0) / t.total;
+    real rounded = fmin(fmax((w.x - from) / fmax(to - from, REAL_SMALLEST), R(0.0)), R(1.0));  // of a narrow piece, x is not quite where r is
+    w.density = fma(rounded, f1 - f0, f0) / t.total;
     return w;
 }
 

@@ -146,14 +146,19 @@ TYPED_TEST(EveryDensity, OfAPhaseProductIsFiniteBoundedAndOfTheSampleThatWasDraw
             RC_ASSERT(std::isfinite(pdf) && std::abs(pdf - sample.density) <= 64 * std::numeric_limits<Real>::epsilon() * sample.density);
         };
         const Vector a = *direction(), b = direction_near(a), p = position_near(a);
-        const Real length = *size(), g_eye = *asymmetry(), g_light = *asymmetry(), xi = *number();
+        const Real length = *size(), g_eye = *asymmetry(), g_light = *asymmetry(), sigma = *size(), xi = *number();
+        const bool absorbs = *rc::gen::inRange(0, 2) == 1;
         if constexpr (sizeof(Real) == 4) {
             const auto narrow = [](const Vector& v) { return maths_float::real3{float(v.x), float(v.y), float(v.z)}; };
-            const auto sample = maths_float::sample_phase_product(narrow(p), narrow(a), length, narrow(b), g_eye, g_light, xi);
-            check(sample, maths_float::pdf_phase_product(narrow(p), narrow(a), length, narrow(b), g_eye, g_light, sample.x));
+            const maths_float::GuideMedia media{g_eye, g_light, sigma, sigma, sigma};
+            const maths_float::WarpShape shape{absorbs ? 6 : 10, 1, absorbs};
+            const auto sample = maths_float::sample_phase_product(narrow(p), narrow(a), length, narrow(b), media, shape, xi);
+            check(sample, maths_float::pdf_phase_product(narrow(p), narrow(a), length, narrow(b), media, shape, sample.x));
         } else {
-            const auto sample = twice::sample_phase_product(as_double(p), as_double(a), length, as_double(b), g_eye, g_light, xi);
-            check(sample, twice::pdf_phase_product(as_double(p), as_double(a), length, as_double(b), g_eye, g_light, sample.x));
+            const twice::GuideMedia media{g_eye, g_light, sigma, sigma, sigma};
+            const twice::WarpShape shape{absorbs ? 6 : 10, 1, absorbs};
+            const auto sample = twice::sample_phase_product(as_double(p), as_double(a), length, as_double(b), media, shape, xi);
+            check(sample, twice::pdf_phase_product(as_double(p), as_double(a), length, as_double(b), media, shape, sample.x));
         }
     }));
 }
@@ -164,14 +169,12 @@ TEST(AnyDensity, OfAPhaseProductIntegratesToOne)
         const Vector a = *direction(), b = direction_near(a);
         const twice::real3 ra = as_double(a), rb = as_double(b), p = as_double(position_near(a));
         const double length = *size(), g_eye = *asymmetry(), g_light = *asymmetry();
-        const twice::PhaseFan fan = twice::phase_fan(p, ra, length, rb, g_eye, g_light);
-        RC_PRE(fan.extent > 1e-9);  // below, vertices coincide in double
-        const twice::PhaseTable table = twice::phase_table(fan);
+        const twice::GuideMedia media{g_eye, g_light, 1, 1, 1};
+        const twice::WarpShape shape{*rc::gen::element(4, 6, PHASE_VERTICES), 1, *rc::gen::inRange(0, 2)};
+        const twice::PhaseTable table = twice::phase_table(twice::phase_fan(p, ra, length, rb, media, shape), shape);
         double sum = 0;
-        for (int j = 0; j + 1 < PHASE_VERTICES; ++j) {  // linear between vertices: the middle's value is the mean
-            const double x0 = (table.angle[j] - fan.start) / fan.extent, x1 = (table.angle[j + 1] - fan.start) / fan.extent;
-            sum += (x1 - x0) * twice::pdf_phase_product(p, ra, length, rb, g_eye, g_light, .5 * (x0 + x1));
-        }
+        for (int j = 0; j + 1 < shape.vertices; ++j)  // linear between vertices: the middle's value is the mean
+            sum += (table.x[j + 1] - table.x[j]) * twice::pdf_phase_product(p, ra, length, rb, media, shape, .5 * (table.x[j] + table.x[j + 1]));
         RC_ASSERT(std::abs(sum - 1) < tolerance);
     }));
 }

@@ -157,7 +157,7 @@ TEST(PublicBugs, UniformDrawInsideALinearPiece)
     const Vector p{.3f, .4f, .9f}, a{0, 0, 1}, b{.6f, 0, .8f};
     double sum = 0;
     for (int i = 0; i < 1 << 14; ++i) {
-        const maths_float::PhaseWarp warp = maths_float::sample_phase_product(p, a, 2, b, .9f, .7f, (i + .5f) / (1 << 14));
+        const maths_float::PhaseWarp warp = maths_float::sample_phase_product(p, a, 2, b, {.9f, .7f, 0, 0, 0}, {10, 1, 0}, (i + .5f) / (1 << 14));
         sum += warp.x / warp.density / (1 << 14);
     }
     EXPECT_NEAR(sum, .5, 1e-3);

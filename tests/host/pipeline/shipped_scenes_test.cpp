@@ -40,7 +40,8 @@ TEST_P(ShippedScene, RendersWithAnEmptyLedgerByEverySamplerAndLaneWidth)
     Scene scene = load_scene(GetParam());
     scene.camera.width = scene.camera.height = scene.camera.crop_width = scene.camera.crop_height = 16;
     scene.camera.crop_x = scene.camera.crop_y = 0;
-    for (const auto& [sampler, lanes] : {std::pair(Sampler::paper_isotropic, 16), std::pair(Sampler::paper, 16), std::pair(Sampler::paper, 1)})
+    for (const auto& [sampler, lanes] : {std::pair(Sampler::paper_isotropic, 16), std::pair(Sampler::paper, 16), std::pair(Sampler::paper, 1), std::pair(Sampler::paper_6, 16),
+                                        std::pair(Sampler::table, 16), std::pair(Sampler::table_4x4, 8), std::pair(Sampler::table_3x2, 16)})
         render_whole(scene, {.passes = 2, .lights = 256, .sampler = sampler, .lanes = lanes});  // which expects it
 }
 
