@@ -30,7 +30,7 @@ TEST_P(ShippedScene, TakesItsDepthFromTheCommandLine)
     EXPECT_EQ(load_scene(file, {.definitions = {{"max_depth", "3"}}}).max_depth, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::Values("fruit_juice", "cornell_fog", "fog_and_slit", "six_vrls"),
+INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::Values("fruit_juice", "cornell_fog", "fog_and_slit", "six_vrls", "glossy_medium", "backlit_smoke"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(ShippedScenes, NothingBlocksAConnectionInTheFruitJuice)
@@ -56,4 +56,22 @@ TEST(ShippedScenes, WallsAndBlocksCastShadowsInFog)
         EXPECT_TRUE(features.media_to_media & feature_bit::occluders) << name;
         EXPECT_TRUE(features.media_to_surface & feature_bit::occluders) << name;
     }
+}
+
+TEST(ShippedScenes, NothingBlocksAConnectionInTheGlossyMedium)
+{
+    const SceneFeatures features = features_of(shipped("glossy_medium"));
+    EXPECT_EQ(features.media_to_media, feature_bit::anisotropic + 0u);
+    EXPECT_EQ(features.media_to_surface, feature_bit::anisotropic | feature_bit::boundaries);
+    ASSERT_EQ(features.containers.size(), 1u);
+    EXPECT_EQ(features.containers.front().planes.size(), 12u) << "the three triangles of a face must share one plane";
+}
+
+TEST(ShippedScenes, BoardsBlockConnectionsToTheGroundAndNoneInTheSmoke)
+{
+    const SceneFeatures features = features_of(shipped("backlit_smoke"));
+    EXPECT_EQ(features.media_to_media, feature_bit::anisotropic + 0u);
+    EXPECT_EQ(features.media_to_surface, feature_bit::anisotropic | feature_bit::boundaries | feature_bit::occluders);
+    ASSERT_EQ(features.containers.size(), 1u);
+    EXPECT_EQ(features.containers.front().planes.size(), 18u);
 }

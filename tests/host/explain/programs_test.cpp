@@ -32,6 +32,8 @@ TEST(Programs, PerShippedScene)
     EXPECT_EQ(programs_of(shipped("fruit_juice")), 2u);  // gather_lights for segments and for points
     EXPECT_EQ(programs_of(shipped("cornell_fog")), 3u);  // sample_pairs for segments and for points, one accumulate_pairs for both
     EXPECT_EQ(programs_of(shipped("fog_and_slit")), 3u);
+    EXPECT_EQ(programs_of(shipped("glossy_medium")), 2u);
+    EXPECT_EQ(programs_of(shipped("backlit_smoke")), 3u);  // gather_lights for segments, sample_pairs and accumulate_pairs for points
 }
 
 TEST(Programs, NoneForPathTracingAndNoDeviceForLayersWithoutVirtualLights)
@@ -49,7 +51,7 @@ TEST(Programs, OfShippedScenesAreAmongThoseThatPrebuildBuilds)
     };
     for (const PairProgram& program : everyday_programs(16)) add(program, everyday);
     EXPECT_LE(everyday.size(), 40u);
-    for (const char* name : {"six_vrls", "fruit_juice", "cornell_fog", "fog_and_slit"}) {
+    for (const char* name : {"six_vrls", "fruit_juice", "cornell_fog", "fog_and_slit", "glossy_medium", "backlit_smoke"}) {
         const Scene scene = shipped(name);
         const RenderSettings settings{.passes = 1};
         const SceneFeatures features = features_of(scene, false, scene.max_depth);

@@ -48,6 +48,6 @@ TEST_P(ShippedScene, RendersWithAnEmptyLedgerByEverySamplerAndLaneWidth)
 INSTANTIATE_TEST_SUITE_P(Of, ShippedScene, testing::ValuesIn(shipped_scenes()),
                          [](const auto& info) { return info.param.parent_path().filename().string(); });
 
-TEST(ShippedScenes, AreThere) { EXPECT_GE(shipped_scenes().size(), 4u); }
+TEST(ShippedScenes, AreThere) { EXPECT_GE(shipped_scenes().size(), 6u); }
 
 }  // namespace
