@@ -47,7 +47,7 @@ PairProgram pair_program(const Scene& scene, const RenderSettings& settings, Eye
             .features = features,
             .lanes = lanes,
             .sampler = sampler,
-            .sequence = choose_sequence(settings.sequence),
+            .sequence = choose_sequence(settings.sequence, settings.samples_per_pair),
             .samples = static_cast<std::uint32_t>(settings.samples_per_pair),
             .transmittance = settings.transmittance == GridTransmittance::exact ? TRANSMITTANCE_EXACT : TRANSMITTANCE_MARCH};
 }

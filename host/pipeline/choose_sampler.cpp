@@ -31,6 +31,10 @@ int choose_sampler(const Scene& scene, Sampler wanted)
     return uneven ? SAMPLER_PAPER : SAMPLER_PAPER_ISOTROPIC;
 }
 
-int choose_sequence(Sequence wanted) { return wanted == Sequence::sobol ? SEQUENCE_SOBOL : SEQUENCE_RANDOM; }
+int choose_sequence(Sequence wanted, int samples_per_pair)
+{
+    const bool several = samples_per_pair > 1;  // for one sample the gain is what the numbers cost (host/docs/performance.md)
+    return wanted == Sequence::sobol || (wanted == Sequence::automatic && several) ? SEQUENCE_SOBOL : SEQUENCE_RANDOM;
+}
 
 }  // namespace tyndall

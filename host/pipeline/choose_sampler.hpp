@@ -8,7 +8,7 @@ namespace tyndall {
 /// The settings' own, or by rule: the product of phase functions where a medium scatters so unevenly that it wins at equal time (host/docs/performance.md).
 int choose_sampler(const Scene& scene, Sampler wanted);
 
-/// The settings' own, or by rule.
-int choose_sequence(Sequence wanted);
+/// The settings' own, or by rule: scrambled Sobol points where a pair has more than one sample.
+int choose_sequence(Sequence wanted, int samples_per_pair);
 
 }  // namespace tyndall

@@ -75,6 +75,36 @@ TEST(FreeFlight, StaysFiniteInMediaOfAnyDepth)
                 }
 }
 
+// Hard case 22: with the channel chosen in proportion to the throughput and the density balanced over channels, the sum of the throughput over channels never
+// grows, so that no channel of white light exceeds 3 on a path of any length. One channel's density alone has no such bound.
+TEST(FreeFlight, ChromaticWeightsStayBelowThreeAlongWholePaths)
+{
+    RandomSequence random = numbers(4);
+    double largest = 0, largest_of_one_channel = 0;
+    for (int path = 0; path < 4000; ++path) {
+        BuiltScene s;
+        const auto decades = [&](double low, double high) { return std::pow(10, low + (high - low) * random.next()); };
+        const Rgb sigma(decades(-3, 3), decades(-3, 3), decades(-3, 3)), albedo(random.next(), 1, random.next());
+        const int medium = s.medium(sigma, albedo);
+        Rgb throughput(1), by_red_alone(1);
+        for (int flight = 0; flight < 30; ++flight) {
+            const std::vector<MediumPiece> pieces{{medium, 0, decades(-2, 2)}};
+            const FreeFlight f = sample_free_flight(s.scene, std::span(pieces), throughput, random.next2());
+            throughput *= f.weight;
+            const double total = throughput.r + throughput.g + throughput.b;
+            ASSERT_TRUE(std::isfinite(total) && total >= 0) << "path " << path << " flight " << flight;
+            ASSERT_LE(total, 3 * (1 + 1e-13 * (flight + 1))) << "path " << path << " flight " << flight;
+            largest = std::max(largest, std::max({throughput.r, throughput.g, throughput.b}));
+            const double t = f.collided ? f.t : pieces[0].t1;
+            by_red_alone *= glm::exp((sigma.r - sigma) * t);
+            largest_of_one_channel = std::max(largest_of_one_channel, by_red_alone.g);
+            if (!f.collided) break;
+        }
+    }
+    EXPECT_GT(largest, 1.5) << "the bound of 3 is approached";
+    EXPECT_GT(largest_of_one_channel, 1e6) << "and it is not trivial";
+}
+
 TEST(FreeFlight, NoLightNoFlightAndVacuumChangesNothing)
 {
     BuiltScene s;
