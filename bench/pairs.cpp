@@ -102,7 +102,11 @@ struct Alone {
     int sampler;
     double g = .55;
     int sequence = SEQUENCE_RANDOM;
+    WorkloadWishes wishes{};
+    int transmittance = TRANSMITTANCE_MARCH;
 };
+
+constexpr WorkloadWishes box{.g = 0, .camera = true, .in_box = true}, box_grid{.g = 0, .camera = true, .grid = 64, .in_box = true};
 
 /// Programs that the baseline has no counterpart of: Henyey-Greenstein, grey.
 const Alone without_baseline[] = {{"product_sampler", EyeKind::segments, SAMPLER_PAPER},
@@ -113,13 +117,20 @@ const Alone without_baseline[] = {{"product_sampler", EyeKind::segments, SAMPLER
                                   {"table_3x2_isotropic", EyeKind::segments, SAMPLER_TABLE_3X2, 0},
                                   {"paper_6_isotropic", EyeKind::segments, SAMPLER_PAPER_6, 0},
                                   {"isotropic_sampler_sobol", EyeKind::segments, SAMPLER_PAPER_ISOTROPIC, .55, SEQUENCE_SOBOL},
-                                  {"surface_points", EyeKind::points, SAMPLER_PAPER_ISOTROPIC}};
+                                  {"surface_points", EyeKind::points, SAMPLER_PAPER_ISOTROPIC},
+                                  {"box_homogeneous", EyeKind::segments, SAMPLER_PAPER_ISOTROPIC, 0, SEQUENCE_RANDOM, box},
+                                  {"box_grid_march", EyeKind::segments, SAMPLER_PAPER_ISOTROPIC, 0, SEQUENCE_RANDOM, box_grid},
+                                  {"box_grid_exact", EyeKind::segments, SAMPLER_PAPER_ISOTROPIC, 0, SEQUENCE_RANDOM, box_grid, TRANSMITTANCE_EXACT},
+                                  {"box_homogeneous_points", EyeKind::points, SAMPLER_PAPER_ISOTROPIC, 0, SEQUENCE_RANDOM, box},
+                                  {"box_grid_march_points", EyeKind::points, SAMPLER_PAPER_ISOTROPIC, 0, SEQUENCE_RANDOM, box_grid}};
 
 void pairs_alone(benchmark::State& state, const Alone& what, int lanes)
 {
-    const WorkloadWishes wishes{.g = what.g};
+    WorkloadWishes wishes = what.wishes;
+    wishes.g = what.g;
     const Workload work = make_workload(wishes);
-    PairStage stage(device(), {.eyes = what.eyes, .features = features_of(wishes), .lanes = lanes, .sampler = what.sampler, .sequence = what.sequence}, work.tables);
+    PairStage stage(device(), {.eyes = what.eyes, .features = features_of(wishes), .lanes = lanes, .sampler = what.sampler, .sequence = what.sequence,
+                               .transmittance = what.transmittance}, work.tables);
     begin(stage, work, what.eyes);
     gathered(stage, work);
     for (auto _ : state) {

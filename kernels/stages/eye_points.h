@@ -49,10 +49,7 @@ static inline OnBoth share_pair(Eye eye, const OpticalTable* table, Light light,
     return share_place(eye.geometry, light, at, other, share);
 }
 static inline Matter matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, OnBoth at, real3 path) { return even_matter(R(0.0)); }
-static inline real3 exact_path_to_eye(Surroundings s, const MediaOfGroup* media, Eye eye, const OpticalTable* table, OnBoth at)
-{
-    return make_real3(R(0.0), R(0.0), R(0.0));
-}
+static inline Matter exact_matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, const OpticalTable* table, OnBoth at) { return even_matter(R(0.0)); }
 
 enum { EYES_HAVE_TABLES = 0 };
 

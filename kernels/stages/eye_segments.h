@@ -62,15 +62,18 @@ static inline OnBoth share_pair(Eye eye, const OpticalTable* table, Light light,
 /// What scatters at the eye's end of the connection.
 static inline Matter matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, OnBoth at, real3 path)
 {
-    Matter m = {path, scattering_of_group(s, media, along3(eye.geometry.origin, at.u, eye.geometry.direction))};
+    Matter m = {path, scattering_of_group(s, media, along3(eye.geometry.origin, at.u, eye.geometry.direction), 0u)};
     return m;
 }
 
-/// The path from the eye's table, with its interval walked cell by cell.
-static inline real3 exact_path_to_eye(Surroundings s, const MediaOfGroup* media, Eye eye, const OpticalTable* table, OnBoth at)
+/// The same exactly: from the eye's table, with the interval of the place walked cell by cell.
+static inline Matter exact_matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, const OpticalTable* table, OnBoth at)
 {
-    real3 way = scale3(eye.geometry.direction, at.u);
-    return exact_path_of_group(s, media, eye.geometry.origin, way, at.u);
+    EyeSegmentLanes g = eye.geometry;
+    TableNode node = node_below(*table, at.u, g.length);
+    real3 point = along3(g.origin, at.u, g.direction), from = along3(g.origin, node.x, g.direction);
+    Matter m = {add3(node.path, exact_path_of_group(s, media, from, scale3(g.direction, at.u - node.x), at.u - node.x)), scattering_of_group(s, media, point, 1u)};
+    return m;
 }
 
 enum { EYES_HAVE_TABLES = 1 };

@@ -67,35 +67,46 @@ static inline OnBoth share_with_matter(Eye eye, const EyeGroup* around, Surround
     return share_pair(eye, &around->table, light, at, to_eye, other, (real)share);
 }
 
-/// The connection with its three transmittances, exact or not.
-static inline Connection with_transmittance(Eye eye, const EyeGroup* around, Light light, Surroundings s, OnBoth at, Matter on_eye, Matter on_light,
-                                            real jitter, uint exact)
+/// What lies along the light up to a place, exactly: from its table, with the interval of the place walked cell by cell.
+static inline Matter exact_matter_on_light(Surroundings s, MediumRecord medium, Light light, OpticalTable table, real v)
+{
+    real3 origin = light_origin(light), direction = light_direction(light);
+    TableNode node = node_below(table, v, (real)light.length);
+    real3 way = scale3(direction, v - node.x);
+    Matter m = {add3(node.path, exact_path(s, medium, along3(origin, node.x, direction), way, v - node.x, R(0.0), R(1.0))),
+                scattering_at(s, medium, along3(origin, v, direction), 1u)};
+    return m;
+}
+
+/// The connection with all that grids have a part in.
+static inline Connection with_matter(Eye eye, const EyeGroup* around, Light light, Surroundings s, OnBoth at, Matter on_eye, Matter on_light, real jitter,
+                                     uint exact)
 {
     MediumRecord medium = medium_of(s, light);
-    if (exact) {
-        on_eye.path = exact_path_to_eye(s, &around->media, eye, &around->table, at);
-        on_light.path = exact_path(s, medium, light_origin(light), scale3(light_direction(light), at.v), at.v, R(0.0), R(1.0));
-    }
     Connection c = connect_eye(eye, light, medium, phase_tables(s), at, on_eye, on_light);
     Leg leg = {c.from, sub3(c.to, c.from), c.length, jitter, exact};
     c.radiance = mul3(c.radiance, transmittance3(leg_depth(&around->facing, s, medium, leg)));
     return c;
 }
+static inline Connection exactly(Eye eye, const EyeGroup* around, Light light, Surroundings s, OnBoth at, OpticalTable table)
+{
+    return with_matter(eye, around, light, s, at, exact_matter_at_eye(s, &around->media, eye, &around->table, at),
+                       exact_matter_on_light(s, medium_of(s, light), light, table, at.v), R(0.0), 1u);
+}
 
-/// Approximate transmittances, and for some pairs approximate + CORRECTION_PERIOD (exact - approximate): unbiased whatever the approximation.
+/// Approximate transmittances and densities, and for some pairs approximate + CORRECTION_PERIOD (exact - approximate): unbiased whatever the approximation.
 static inline Connection connect_in_grids(Eye eye, const EyeGroup* around, Light light, Surroundings s, OnBoth at, uint number, uint counter)
 {
     MediumRecord medium = medium_of(s, light);
     OpticalTable table = table_of_light(s, number);
     Passed to_light = passed(table, at.v, (real)light.length), to_eye = passed_to_eye(eye, &around->table, at);
     at = share_with_matter(eye, around, s, light, number, at, to_eye, to_light);
+    if (TRANSMITTANCE == TRANSMITTANCE_EXACT) return exactly(eye, around, light, s, at, table);
     Matter on_eye = matter_at_eye(s, &around->media, eye, at, to_eye.path);
-    Matter on_light = {to_light.path, scattering_at(s, medium, along3(light_origin(light), at.v, light_direction(light)))};
-    real jitter = random2(eye.key, counter ^ SALT_JITTER).first;
-    if (TRANSMITTANCE == TRANSMITTANCE_EXACT) return with_transmittance(eye, around, light, s, at, on_eye, on_light, jitter, 1u);
-    Connection c = with_transmittance(eye, around, light, s, at, on_eye, on_light, jitter, 0u);
+    Matter on_light = {to_light.path, scattering_at(s, medium, along3(light_origin(light), at.v, light_direction(light)), 0u)};
+    Connection c = with_matter(eye, around, light, s, at, on_eye, on_light, random2(eye.key, counter ^ SALT_JITTER).first, 0u);
     if (shared_bits(around, counter, SALT_CORRECTION) % CORRECTION_PERIOD == 0u) {
-        real3 exact = with_transmittance(eye, around, light, s, at, on_eye, on_light, jitter, 1u).radiance, error = sub3(exact, c.radiance);
+        real3 error = sub3(exactly(eye, around, light, s, at, table).radiance, c.radiance);
         c.radiance = along3(c.radiance, (real)(float)CORRECTION_PERIOD, error);
     }
     return c;

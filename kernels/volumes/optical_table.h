@@ -31,7 +31,7 @@ PURE TablePlace table_place(real x, real length)
 {
     real at = fmin(fmax(x * ((real)(float)TABLE_INTERVALS / fmax(length, REAL_SMALLEST)), R(0.0)), (real)(float)TABLE_INTERVALS);
     TablePlace p;
-    p.node = fmin(floor(at), (real)(float)(TABLE_INTERVALS - 1u));
+    p.node = fmin(to_real(to_whole(at)), (real)(float)(TABLE_INTERVALS - 1u));
     p.share = at - p.node;
     return p;
 }
@@ -50,6 +50,22 @@ PURE Passed passed(OpticalTable t, real x, real length)
         m.path.z = fma(p.share, rise, before), m.density.z = rise * per_length;
     }
     return m;
+}
+
+/// The node at or before x, and the path up to it.
+typedef struct {
+    real x;
+    real3 path;
+} TableNode;
+PURE TableNode node_below(OpticalTable t, real x, real length)
+{
+    TablePlace p = table_place(x, length);
+    TableNode n;
+    n.x = fmin(p.node * (length / (real)(float)TABLE_INTERVALS), x);
+    real path = table_node(t, 0u, p.node);
+    n.path = make_real3(path, path, path);
+    if (COLOURED_GRIDS) n.path.y = table_node(t, 1u, p.node), n.path.z = table_node(t, 2u, p.node);
+    return n;
 }
 
 /// Mean over the channels of the optical depth, or of the extinction, that belongs to an integral of the density, or to a density.
