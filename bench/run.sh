@@ -3,7 +3,7 @@
 #   bash bench/run.sh [OUT]          OUT: bench/results unless given
 #   BUILD=folder bash bench/run.sh   takes the programs of that build folder instead of building
 #   REPETITIONS=3 bash bench/run.sh  quicker; 7 unless given
-#   ONLY="pairs render" ...          renews only these results: pairs shadow_1_core shadow_2_cores build render
+#   ONLY="pairs render" ...          renews only these results: pairs shadow_1_core shadow_2_cores build render effects cold_start prediction
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
 out=${1:-$repository_root/bench/results}
@@ -38,4 +38,17 @@ if wanted render; then
   python3 -B "$repository_root/bench/render.py" "$build/tyndall" "$repository_root/scenes/fruit_juice/scene.xml" "$repetitions" >"$raw/render.json"
 fi
 python3 -B "$repository_root/bench/summarise.py" "$raw" "$out"
+mkdir -p "$out/effects"
+if wanted effects; then
+  say "measuring effects"
+  python3 -B "$repository_root/bench/effects/effects.py" "$build/tyndall" --json "$out/effects/effects.json" --svg "$out/effects/effects.svg"
+fi
+if wanted cold_start; then
+  say "measuring cold_start"
+  python3 -B "$repository_root/bench/cold_start/cold_start.py" "$build/tyndall" --json "$out/effects/cold_start.json"
+fi
+if wanted prediction; then
+  say "measuring prediction"
+  python3 -B "$repository_root/bench/effects/prediction.py" "$build/tyndall" --json "$out/effects/prediction.json" || say "a prediction is off by more than a factor of two; is the machine busy?"
+fi
 say "results are in $out"

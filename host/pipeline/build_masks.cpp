@@ -41,7 +41,7 @@ std::string grid_transmittance(const RenderSettings& settings, const LayerPlan& 
 PairProgram pair_program(const Scene& scene, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes)
 {
     const std::uint32_t features = kind == EyeKind::segments ? masks.media_to_media : masks.media_to_surface;
-    int sampler = kind == EyeKind::segments ? choose_sampler(scene, settings.sampler) : SAMPLER_PAPER_ISOTROPIC;  // points are the same program for every sampler
+    int sampler = kind == EyeKind::segments ? choose_sampler(scene, settings.sampler).sampler : SAMPLER_PAPER_ISOTROPIC;  // points are the same program for every sampler
     if (sampler == SAMPLER_PAPER && !(features & feature_bit::anisotropic)) sampler = SAMPLER_PAPER_ISOTROPIC;    // and so are these two
     return {.eyes = kind,
             .features = features,

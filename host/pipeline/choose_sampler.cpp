@@ -1,9 +1,11 @@
 #include "pipeline/choose_sampler.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "kernels/shared/records.hpp"
+#include "scene/text.hpp"
 
 namespace tyndall {
 namespace {
@@ -16,19 +18,37 @@ double unevenness(const PhaseFunction& phase)
     return std::sqrt(square);
 }
 
+int asked_for(Sampler wanted)
+{
+    switch (wanted) {
+        case Sampler::paper: return SAMPLER_PAPER;
+        case Sampler::paper_6: return SAMPLER_PAPER_6;
+        case Sampler::table: return SAMPLER_TABLE;
+        case Sampler::table_4x4: return SAMPLER_TABLE_4X4;
+        case Sampler::table_3x2: return SAMPLER_TABLE_3X2;
+        default: return SAMPLER_PAPER_ISOTROPIC;
+    }
+}
+
+constexpr double product_wins_from = .5;  ///< unevenness
+
 }  // namespace
 
-int choose_sampler(const Scene& scene, Sampler wanted)
+ChosenSampler choose_sampler(const Scene& scene, Sampler wanted)
 {
-    constexpr double product_wins_from = .5;  // unevenness
-    if (wanted == Sampler::paper_isotropic) return SAMPLER_PAPER_ISOTROPIC;
-    if (wanted == Sampler::paper) return SAMPLER_PAPER;
-    if (wanted == Sampler::paper_6) return SAMPLER_PAPER_6;
-    if (wanted == Sampler::table) return SAMPLER_TABLE;
-    if (wanted == Sampler::table_4x4) return SAMPLER_TABLE_4X4;
-    if (wanted == Sampler::table_3x2) return SAMPLER_TABLE_3X2;
-    const bool uneven = std::any_of(scene.media.begin(), scene.media.end(), [](const Medium& m) { return unevenness(m.phase) >= product_wins_from; });
-    return uneven ? SAMPLER_PAPER : SAMPLER_PAPER_ISOTROPIC;
+    if (wanted != Sampler::automatic) return {asked_for(wanted), "asked for"};
+    const Medium* most = nullptr;
+    for (const Medium& medium : scene.media)
+        if (!most || unevenness(medium.phase) > unevenness(most->phase)) most = &medium;
+    if (!most || unevenness(most->phase) < product_wins_from)
+        return {SAMPLER_PAPER_ISOTROPIC, fmt::format("no medium scatters more unevenly than |g| = {:g}, so the angle alone is drawn", product_wins_from)};
+    return {SAMPLER_PAPER, fmt::format("medium {} scatters with |g| = {:.2g}: from {:g} on the product of phase functions pays", in_quotes(most->name), unevenness(most->phase), product_wins_from)};
+}
+
+std::string sampler_name(int sampler)
+{
+    constexpr const char* names[] = {"paper-isotropic", "paper", "paper-6", "table", "table-4x4", "table-3x2"};
+    return names[sampler];
 }
 
 int choose_sequence(Sequence wanted, int samples_per_pair)

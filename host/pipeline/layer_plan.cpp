@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "pipeline/choose_sampler.hpp"
 #include "scene/thin_media.hpp"
 
 namespace tyndall {
@@ -35,17 +36,31 @@ void skip_if_thin(const Scene& scene, double allowed, LayerReport& report)
     report.unbiased = false, report.left_out = again.share;
 }
 
-std::string technique_for(Layer layer, Method method)
+/// How a layer is rendered, and why so.
+struct Technique { const char *name, *why; };
+
+Technique technique_for(Layer layer, Method method)
 {
-    if (method == Method::path) return "path tracing";
+    if (method == Method::path) return {"path tracing", "--method path"};
     switch (layer) {
-        case Layer::emitted: return "camera ray";
-        case Layer::surface_direct: return "next-event estimation";
-        case Layer::single: return "equi-angular light sampling";
+        case Layer::emitted: return {"camera ray", "the camera's own path meets the light"};
+        case Layer::surface_direct: return {"next-event estimation", "straight lines from surfaces to lights"};
+        case Layer::surface_indirect: return {"path tracing", "virtual ray lights lie in media only"};
+        case Layer::single: return {"equi-angular light sampling", "straight lines from media to lights"};
+        case Layer::surface_to_media: return {"path tracing", "virtual ray lights carry light that a medium has scattered"};
         case Layer::media_to_media:
-        case Layer::media_to_surface: return "virtual ray lights";
-        default: return "path tracing";
+        case Layer::media_to_surface: return {"virtual ray lights", "light that a medium has scattered, on straight lines"};
+        default: return {"path tracing", "connections by straight lines do not pass mirrors and glass"};
     }
+}
+
+/// How places are drawn in a layer of virtual ray lights.
+void name_sampler(Layer layer, const Scene& scene, const RenderSettings& settings, LayerReport& report)
+{
+    if (layer == Layer::media_to_surface) report.sampler = "cosine", report.sampler_why = "along the light by the angle at the surface and its cosine, in closed form";
+    if (layer != Layer::media_to_media) return;
+    ChosenSampler chosen = choose_sampler(scene, settings.sampler);
+    report.sampler = sampler_name(chosen.sampler), report.sampler_why = std::move(chosen.why);
 }
 
 }  // namespace
@@ -64,14 +79,17 @@ LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const R
     LayerPlan plan;
     for (std::size_t l = 0; l < layer_count; ++l) {
         const Layer layer = static_cast<Layer>(l);
-        LayerReport report{.layer = std::string(name(layer)), .technique = technique_for(layer, settings.method)};
+        const Technique technique = technique_for(layer, settings.method);
+        LayerReport report{.layer = std::string(name(layer)), .technique = technique.name};
         report.why = settings.layers.contains(layer) ? missing_for(layer, scene, features) : "turned off";
         if (report.why.empty() && layer == Layer::media_to_media && settings.skip_thin > 0) skip_if_thin(scene, settings.skip_thin, report);
         report.skipped = !report.why.empty();
         if (report.skipped) report.technique = "skipped";
+        else report.why = technique.why;
         plan.reports.push_back(report);
         if (report.skipped) continue;
         const bool vrl = settings.method == Method::vrl;
+        if (vrl) name_sampler(layer, scene, settings, plan.reports.back());
         if (vrl && layer == Layer::media_to_media) plan.media_to_media = true;
         else if (vrl && layer == Layer::media_to_surface) plan.media_to_surface = true;
         else if (vrl && layer == Layer::single) plan.single = true;

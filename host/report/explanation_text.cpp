@@ -43,8 +43,10 @@ void add_effects(Text& text, const Explanation& e)
 void add_layers(Text& text, const Explanation& e)
 {
     add(text, "layers");
-    for (const LayerReport& layer : e.layers)
+    for (const LayerReport& layer : e.layers) {
         add(text, "  {:<26} {}{}", layer.layer, layer.skipped ? "skipped: " : layer.technique + (layer.why.empty() ? "" : ": "), terminal_safe(layer.why));
+        if (!layer.sampler.empty()) add(text, "  {:<26}   sampler {}: {}", "", layer.sampler, terminal_safe(layer.sampler_why));
+    }
 }
 
 void add_kernels(Text& text, const Explanation& e)

@@ -18,10 +18,11 @@ struct StageTime {
 struct LayerReport {
     std::string layer, technique;  ///< technique: "virtual ray lights", "path tracing", "equi-angular", "next-event estimation", "skipped"
     bool skipped = false;
-    std::string why;  ///< for a skipped layer: what the scene lacks, or that it was turned off
+    std::string why;  ///< the technique; of a skipped layer: what the scene lacks, or that it was turned off
     bool unbiased = true;
     double error = -1;    ///< sqrt(relMSE) relative to the layer itself; negative: unknown or not rendered
     double left_out = 0;  ///< for a layer that the scene has and the settings allow to skip: a bound on its share of the light that media scatter
+    std::string sampler{}, sampler_why{};  ///< of virtual ray lights: how places on light and eye are drawn
 };
 
 /// A line of the list of what a scene may call for (host/scene/scene_features.hpp).

@@ -55,6 +55,8 @@ Json layers_of(const Report& report)
                           {"technique", layer.technique},
                           {"skipped", layer.skipped},
                           {"why", layer.why},
+                          {"sampler", layer.sampler},
+                          {"sampler_why", layer.sampler_why},
                           {"unbiased", layer.unbiased},
                           {"error", layer.error < 0 ? Json(nullptr) : number(layer.error)},
                           {"left_out", layer.left_out > 0 ? number(layer.left_out) : Json(nullptr)}});

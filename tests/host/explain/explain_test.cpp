@@ -35,6 +35,25 @@ std::vector<std::string> kernel_names(const Explanation& e)
     return names;
 }
 
+const LayerReport& line_of(const Explanation& e, Layer layer) { return e.layers[static_cast<std::size_t>(layer)]; }
+
+TEST(Explain, SaysWhyEveryLayerIsRenderedAsItIs)
+{
+    for (const LayerReport& layer : explained(foggy_room()).layers) EXPECT_FALSE(layer.why.empty()) << layer.layer;
+    const Explanation even = explained(box_of_fog()), uneven = explained(scene_of({medium("fog", ".5", ".8", forward), lamp(), container("cube", "box", here)}));
+    EXPECT_EQ(line_of(even, Layer::media_to_media).sampler, "paper-isotropic");
+    EXPECT_THAT(line_of(even, Layer::media_to_media).sampler_why, HasSubstr("angle alone"));
+    EXPECT_EQ(line_of(uneven, Layer::media_to_media).sampler, "paper");
+    EXPECT_THAT(line_of(uneven, Layer::media_to_media).sampler_why, AllOf(HasSubstr("\"fog\""), HasSubstr("0.6")));
+    EXPECT_THAT(to_text(uneven), HasSubstr("sampler paper: medium"));
+    RenderSettings table;
+    table.sampler = Sampler::table;
+    EXPECT_EQ(line_of(explained(box_of_fog(), table), Layer::media_to_media).sampler, "table");
+    RenderSettings path;
+    path.method = Method::path;
+    EXPECT_EQ(line_of(explained(box_of_fog(), path), Layer::media_to_media).sampler, "") << "a path tracer connects nothing";
+}
+
 TEST(Explain, NamesTheElementOfEveryEffectThatWasFound)
 {
     const Explanation e = explained(foggy_room());
