@@ -46,6 +46,7 @@ fi
 if wanted cold_start; then
   say "measuring cold_start"
   python3 -B "$repository_root/bench/cold_start/cold_start.py" "$build/tyndall" --json "$out/effects/cold_start.json"
+  python3 -B "$repository_root/bench/cold_start/variants.py" "$build/tyndall" --json "$out/effects/variants.json"
 fi
 if wanted prediction; then
   say "measuring prediction"

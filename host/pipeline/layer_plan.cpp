@@ -82,6 +82,8 @@ LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const R
         const Technique technique = technique_for(layer, settings.method);
         LayerReport report{.layer = std::string(name(layer)), .technique = technique.name};
         report.why = settings.layers.contains(layer) ? missing_for(layer, scene, features) : "turned off";
+        if (report.why.empty() && layer == Layer::media_to_surface && !features.surfaces_in_reach)  // by straight lines; the sub-layer's go round by mirrors
+            report.why = "no surface that reflects diffusely faces a medium that scatters";
         if (report.why.empty() && layer == Layer::media_to_media && settings.skip_thin > 0) skip_if_thin(scene, settings.skip_thin, report);
         report.skipped = !report.why.empty();
         if (report.skipped) report.technique = "skipped";

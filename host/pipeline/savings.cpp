@@ -36,10 +36,12 @@ void add_skipped_layers(const LayerPlan& plan, const PairCounts& counts, std::ve
 double nominal_pair_seconds(std::uint32_t feature)
 {
     switch (feature) {
-        case feature_bit::anisotropic: return .6e-9;
-        case feature_bit::coloured: return 1.6e-9;
+        case feature_bit::anisotropic: return .3e-9;
+        case feature_bit::coloured: return .9e-9;
         case feature_bit::occluders: return 10e-9;
-        case feature_bit::nonconvex_media: return 265e-9;
+        case feature_bit::nonconvex_media: return 156e-9;
+        case feature_bit::heterogeneous: return 46e-9;
+        case feature_bit::coloured_grids: return 46e-9;
         default: return -1;
     }
 }

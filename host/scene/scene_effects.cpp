@@ -97,6 +97,38 @@ Found receiving_surfaces(const Scene& scene)
     return first_surface(scene, [](const Bsdf& b) { return b.type == Bsdf::Type::diffuse && any_above(b.reflectance, 0); });
 }
 
+bool reflects_diffusely(const Bsdf& b) { return b.type == Bsdf::Type::diffuse && any_above(b.reflectance, 0); }
+
+/// Does some triangle of a flat-shaded mesh have part of a region in front of it? (All other shapes: yes.)
+bool faces(const Shape& shape, const std::vector<Bounds>& regions)
+{
+    if (shape.type != Shape::Type::mesh || !shape.mesh.normals.empty()) return true;
+    constexpr double touching = 1e-9;  // render space has radius 1: what only touches the plane of a triangle lights it edge-on
+    for (const glm::uvec3& t : shape.mesh.triangles) {
+        const Vec3 a = shape.mesh.vertices[t.x], cross = glm::cross(shape.mesh.vertices[t.y] - a, shape.mesh.vertices[t.z] - a);
+        const Vec3 normal = (shape.flip_normals ? -1. : 1.) * cross;
+        for (const Bounds& box : regions) {
+            const Vec3 furthest = glm::mix(box.low, box.high, Vec3(glm::greaterThan(normal, Vec3(0))));
+            if (glm::dot(normal, furthest - a) > touching * glm::length(normal)) return true;
+        }
+    }
+    return false;
+}
+
+/// Surfaces on whose reflecting side a scattering medium lies.
+Found surfaces_in_reach(const Scene& scene)
+{
+    if (!scattering_media(scene)) return std::nullopt;
+    const auto regions = scattering_regions(scene);
+    for (const Shape& shape : scene.shapes) {
+        const Bsdf& front = scene.bsdfs[static_cast<std::size_t>(shape.bsdf)];
+        const bool one_sided = !front.two_sided && front.back == none;
+        const bool reflects = reflects_diffusely(front) || (front.back != none && reflects_diffusely(scene.bsdfs[static_cast<std::size_t>(front.back)]));
+        if (reflects && (!regions || !one_sided || faces(shape, *regions))) return Cause{named("shape", shape.name, " may be lit by a medium"), shape.where};
+    }
+    return std::nullopt;
+}
+
 Found specular_surfaces(const Scene& scene)
 {
     return first_surface(scene, [](const Bsdf& b) { return b.type == Bsdf::Type::dielectric || b.type == Bsdf::Type::conductor; });
@@ -115,7 +147,8 @@ const std::vector<SceneFact>& scene_facts()
         {{"OPTICALLY_THIN", 0, "media scatter less than 1 % of their light twice in a row", ""}, thin_media},
         {{"CONVEX_CONTAINERS", 0, "media fill disjoint convex polyhedra", ""}, convex_containers},
         {{"LIGHTS_IN_MEDIA", 0, "a light stands inside a medium", ""}, lights_in_media},
-        {{"RECEIVING_SURFACES", 0, "a surface reflects diffusely", "eye points, media_to_surface and its kernels, light between surfaces"}, receiving_surfaces},
+        {{"RECEIVING_SURFACES", 0, "a surface reflects diffusely", "light between surfaces and light that they reflect"}, receiving_surfaces},
+        {{"SURFACES_IN_REACH", 0, "a surface that reflects diffusely faces a medium that scatters", "eye points, media_to_surface and its kernels"}, surfaces_in_reach},
         {{"SPECULAR_SURFACES", 0, "there are mirrors or glass", "the layers of light through mirrors and glass"}, specular_surfaces},
     };
     return facts;

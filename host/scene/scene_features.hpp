@@ -42,6 +42,7 @@ struct FeatureCause {
 struct SceneFeatures {
     bool scattering_media = false;    ///< some medium scatters: without one no virtual light is traced
     bool absorbing_media = false;     ///< some medium has extinction
+    bool surfaces_in_reach = false;   ///< some surface may be lit by a medium: without one there is no media_to_surface
     bool receiving_surfaces = false;  ///< some surface reflects diffusely: without one there is nothing between media and surfaces
     bool specular_surfaces = false;   ///< mirrors or glass
     std::uint32_t media_to_media = 0, media_to_surface = 0;  ///< masks of kernels/shared/scene_features.h for the connections of the two layers

@@ -30,22 +30,42 @@ int outermost_medium(const Scene& scene)
     return medium_at(scene, Vec3(scene.camera.to_world[3]), scene.camera.medium, far_away);
 }
 
+/// The boxes of the closed shapes that the medium fills; nothing if other shapes bound it or none does.
+std::optional<std::vector<Bounds>> filled_boxes(const Scene& scene, int medium)
+{
+    std::vector<Bounds> boxes;
+    for (const Shape& shape : scene.shapes) {
+        if (!shape.medium_boundary || (shape.interior != medium && shape.exterior != medium)) continue;
+        if (!closed(shape)) return std::nullopt;
+        if (shape.interior == medium) boxes.push_back(bounds_of(shape));
+    }
+    if (outermost_medium(scene) == medium) return std::nullopt;
+    return boxes;
+}
+
 /// No straight line inside the medium is longer.
 double longest_line(const Scene& scene, int medium)
 {
+    const auto boxes = filled_boxes(scene, medium);
+    if (!boxes) return unbounded;
     Bounds filled;
-    for (const Shape& shape : scene.shapes) {
-        if (!shape.medium_boundary || (shape.interior != medium && shape.exterior != medium)) continue;
-        if (!closed(shape)) return unbounded;
-        if (shape.interior != medium) continue;
-        const Bounds box = bounds_of(shape);
-        filled.grow(box.low), filled.grow(box.high);
-    }
-    if (outermost_medium(scene) == medium) return unbounded;
+    for (const Bounds& box : *boxes) filled.grow(box.low), filled.grow(box.high);
     return filled.empty() ? 0 : 2 * filled.radius();
 }
 
 }  // namespace
+
+std::optional<std::vector<Bounds>> scattering_regions(const Scene& scene)
+{
+    std::vector<Bounds> regions;
+    for (std::size_t m = 0; m < scene.media.size(); ++m) {
+        if (!(largest(scene.media[m].sigma_s()) > 0)) continue;
+        const auto boxes = filled_boxes(scene, static_cast<int>(m));
+        if (!boxes) return std::nullopt;
+        regions.insert(regions.end(), boxes->begin(), boxes->end());
+    }
+    return regions;
+}
 
 ScatteredAgain scattered_again(const Scene& scene)
 {

@@ -1,5 +1,8 @@
 #pragma once
 /// How little a scene's media scatter: a bound that needs nothing traced.
+#include <optional>
+#include <vector>
+
 #include "scene/scene.hpp"
 
 namespace tyndall {
@@ -17,5 +20,8 @@ struct ScatteredAgain {
 /// The line is bounded by the sum over media of the largest scattering coefficient (of all channels, and of all voxels) times the diagonal of the box around the
 /// closed shapes that the medium fills. A medium that is not inside closed shapes has no bound: share 1.
 ScatteredAgain scattered_again(const Scene& scene);
+
+/// The boxes around the closed shapes that the scattering media fill; nothing where such a medium is not inside closed shapes: it may be anywhere.
+std::optional<std::vector<Bounds>> scattering_regions(const Scene& scene);
 
 }  // namespace tyndall

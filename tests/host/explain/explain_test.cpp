@@ -37,6 +37,15 @@ std::vector<std::string> kernel_names(const Explanation& e)
 
 const LayerReport& line_of(const Explanation& e, Layer layer) { return e.layers[static_cast<std::size_t>(layer)]; }
 
+TEST(Explain, LeavesOutSurfacesThatNoMediumCanLight)
+{
+    const Scene behind = scene_of({medium("fog"), lamp(), container("cube", "box", here), shape("rectangle", "table", R"(<rotate x="1" angle="90"/><translate y="-2"/>)", white)});
+    EXPECT_TRUE(line_of(explained(behind), Layer::media_to_surface).skipped);
+    EXPECT_THAT(line_of(explained(behind), Layer::media_to_surface).why, HasSubstr("faces a medium"));
+    const Scene front = scene_of({medium("fog"), lamp(), container("cube", "box", here), shape("rectangle", "table", below, white)});
+    EXPECT_FALSE(line_of(explained(front), Layer::media_to_surface).skipped);
+}
+
 TEST(Explain, SaysWhyEveryLayerIsRenderedAsItIs)
 {
     for (const LayerReport& layer : explained(foggy_room()).layers) EXPECT_FALSE(layer.why.empty()) << layer.layer;

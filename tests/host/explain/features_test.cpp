@@ -93,14 +93,23 @@ std::vector<Row> scenes_of_surfaces()
 {
     const std::set<std::string> fog{"LIGHTS", "MEDIA", "SCATTERING_MEDIA", "UNBOUNDED_MEDIA", "LIGHTS_IN_MEDIA"};
     const auto with = [](std::set<std::string> set, const std::string& more) { return set.insert(more), set; };
-    const std::set<std::string> box{"LIGHTS", "MEDIA", "SCATTERING_MEDIA", "CONVEX_CONTAINERS", "RECEIVING_SURFACES"};
+    const auto without = [](std::set<std::string> set, const std::string& less) { return set.erase(less), set; };
+    const std::set<std::string> box{"LIGHTS", "MEDIA", "SCATTERING_MEDIA", "CONVEX_CONTAINERS", "RECEIVING_SURFACES", "SURFACES_IN_REACH"};
     return {
-        {"a ball in fog", scene_of({medium("fog"), lamp(in_fog), shape("sphere", "ball", small, white)}, in_fog), occluders, occluders, with(fog, "RECEIVING_SURFACES"), {{"OCCLUDERS", 4}}},
+        {"a ball in fog", scene_of({medium("fog"), lamp(in_fog), shape("sphere", "ball", small, white)}, in_fog), occluders, occluders, with(with(fog, "RECEIVING_SURFACES"), "SURFACES_IN_REACH"), {{"OCCLUDERS", 4}}},
         {"a black ball in fog", scene_of({medium("fog"), lamp(in_fog), shape("sphere", "ball", small, black)}, in_fog), occluders, occluders, fog, {}},
         {"a glass ball in fog", scene_of({medium("fog"), lamp(in_fog), shape("sphere", "ball", small, glass)}, in_fog), occluders, occluders, with(fog, "SPECULAR_SURFACES"),
          {{"SPECULAR_SURFACES", 4}}},
         {"a mirror in fog", scene_of({medium("fog"), lamp(in_fog), shape("rectangle", "mirror", small, mirror)}, in_fog), occluders, occluders, with(fog, "SPECULAR_SURFACES"), {}},
         {"a box of fog on a table", scene_of({medium("fog"), lamp(), container("cube", "box", here), shape("rectangle", "table", below, white)}), 0, boundaries, box, {{"RECEIVING_SURFACES", 5}}},
+        {"a box of fog behind a table", scene_of({medium("fog"), lamp(), container("cube", "box", here), shape("rectangle", "table", R"(<rotate x="1" angle="90"/><translate y="-2"/>)", white)}),
+         0, boundaries, without(box, "SURFACES_IN_REACH"), {{"RECEIVING_SURFACES", 5}}},
+        {"a box of fog behind a table with two sides",
+         scene_of({medium("fog"), lamp(), container("cube", "box", here),
+                   shape("rectangle", "table", R"(<rotate x="1" angle="90"/><translate y="-2"/>)", R"(<bsdf type="twosided"><bsdf type="diffuse"/></bsdf>)")}),
+         0, boundaries, box, {{"SURFACES_IN_REACH", 5}}},
+        {"a box of fog through which a wall runs", scene_of({medium("fog"), lamp(), container("cube", "box", here), shape("rectangle", "wall", R"(<rotate x="1" angle="90"/><translate y=".9"/>)", white)}),
+         occluders, boundaries | occluders, box, {{"SURFACES_IN_REACH", 5}}},
         {"a box of fog beside a ball", scene_of({medium("fog"), lamp(), container("cube", "box", small), shape("sphere", "ball", R"(<translate x="3"/>)", white)}), 0,
          boundaries | occluders, box, {{"OCCLUDERS", 5}}},
         {"a box of fog around a ball", scene_of({medium("fog"), lamp(), container("cube", "box", here), shape("sphere", "ball", small, white)}), occluders, boundaries | occluders, box,
