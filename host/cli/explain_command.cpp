@@ -28,7 +28,7 @@ std::optional<DeviceInfo> device_for(const RenderSettings& settings, std::string
 int run_explain(ExplainCommand command)
 {
     RenderSettings& settings = command.render.settings;
-    if (settings.passes == 0 && settings.seconds == 0 && settings.target_error == 0) settings.passes = default_passes;
+    give_default_budget(settings);
     Scene scene = load_scene(command.render.scene, command.render.load);
     override_film(scene.camera, command.render.resolution, command.render.crop);
     std::string why_not;

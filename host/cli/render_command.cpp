@@ -88,7 +88,7 @@ void print_outputs(const Report& report, ProgressStyle style)
 
 int run_render(RenderCommand command)
 {
-    if (command.settings.passes == 0 && command.settings.seconds == 0 && command.settings.target_error == 0) command.settings.passes = default_passes;
+    give_default_budget(command.settings);
     const auto paths = plan_outputs(command.scene, command.output, command.report);
     Scene scene = load_scene(command.scene, command.load);
     print_warnings(scene.warnings);

@@ -23,8 +23,11 @@ struct RenderCommand {
     bool half = false, timestamps = true;
 };
 
-/// Passes when neither passes nor time are given.
-inline constexpr int default_passes = 16;
+/// 16 passes where neither passes, a time nor a target error are given.
+inline void give_default_budget(RenderSettings& settings)
+{
+    if (settings.passes == 0 && settings.seconds == 0 && settings.target_error == 0) settings.passes = 16;
+}
 
 /// Gives the camera another resolution and crop window. Without a new crop, the scene's own keeps its place in the picture: it is scaled
 /// with the film and rounded outward to whole pixels. Throws UsageError for a crop window that does not lie in the film or a film that is

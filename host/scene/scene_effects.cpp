@@ -46,11 +46,9 @@ Found only_absorbing_media(const Scene& scene)
                     [](const Medium& m) { return named("medium", m.name, ": albedo 0"); });
 }
 
-/// The medium far away from everything, found by crossing every boundary between the camera and there.
 Found unbounded_media(const Scene& scene)
 {
-    const Vec3 camera(scene.camera.to_world[3]), far_away = glm::normalize(Vec3(.5377, .6121, .5801)) * 4.;  // along no likely edge; render space has radius 1
-    const int medium = medium_at(scene, camera, scene.camera.medium, far_away);
+    const int medium = outermost_medium(scene);
     if (medium == vacuum) return std::nullopt;
     const Medium& m = scene.media[static_cast<std::size_t>(medium)];
     return Cause{named("medium", m.name, ": no boundary ends it, so it fills all space"), m.where};

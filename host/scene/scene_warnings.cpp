@@ -156,6 +156,12 @@ int medium_at(const Scene& scene, const Vec3& from, int medium, const Vec3& to)
     return medium;
 }
 
+int outermost_medium(const Scene& scene)
+{
+    const Vec3 far_away = glm::normalize(Vec3(.5377, .6121, .5801)) * 4.;  // along no likely edge; render space has radius 1
+    return medium_at(scene, Vec3(scene.camera.to_world[3]), scene.camera.medium, far_away);
+}
+
 void add_warnings(SceneBuilder& builder)
 {
     warn_of_unused_media(builder);

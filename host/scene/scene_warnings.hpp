@@ -15,4 +15,7 @@ void warn_of_grids(SceneBuilder& builder);
 /// acceleration structure: the loader calls it once per light.
 int medium_at(const Scene& scene, const Vec3& from, int medium, const Vec3& to);
 
+/// The medium far away from everything, found by crossing every boundary between the camera and there. The scene is in render space.
+int outermost_medium(const Scene& scene);
+
 }  // namespace tyndall

@@ -23,13 +23,6 @@ double largest_density(const Scene& scene, const Medium& medium)
 
 bool closed(const Shape& shape) { return shape.type == Shape::Type::sphere || (shape.type == Shape::Type::mesh && shape.mesh.closed); }
 
-/// The medium far away from everything.
-int outermost_medium(const Scene& scene)
-{
-    const Vec3 far_away = glm::normalize(Vec3(.5377, .6121, .5801)) * 4.;  // along no likely edge; render space has radius 1
-    return medium_at(scene, Vec3(scene.camera.to_world[3]), scene.camera.medium, far_away);
-}
-
 /// The boxes of the closed shapes that the medium fills; nothing if other shapes bound it or none does.
 std::optional<std::vector<Bounds>> filled_boxes(const Scene& scene, int medium)
 {
