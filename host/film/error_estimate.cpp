@@ -19,12 +19,12 @@ double epsilon_of(const Rgb& sum_of_reference, std::size_t pixels)
 }
 
 /// One pixel's terms; 0 / 0 (nothing expected, nothing there) is 0.
-double term(const Rgb& squared_error, const Rgb& reference, double epsilon)
+Rgb terms(const Rgb& squared_error, const Rgb& reference, double epsilon)
 {
-    double sum = 0;
+    Rgb terms(0);
     for (int c = 0; c < 3; ++c)
-        if (squared_error[c] != 0) sum += squared_error[c] / (reference[c] * reference[c] + epsilon);
-    return sum;
+        if (squared_error[c] != 0) terms[c] = squared_error[c] / (reference[c] * reference[c] + epsilon);
+    return terms;
 }
 
 /// `squared_error(i)`, `reference(i)`: the two images, pixel by pixel.
@@ -35,7 +35,7 @@ double mean_of_terms(std::size_t pixels, SquaredError&& squared_error, Reference
     for (std::size_t i = 0; i < pixels; ++i) sum_of_reference += reference(i);
     const double epsilon = epsilon_of(sum_of_reference, pixels);
     double sum = 0;
-    for (std::size_t i = 0; i < pixels; ++i) sum += term(squared_error(i), reference(i), epsilon);
+    for (std::size_t i = 0; i < pixels; ++i) sum += tyndall::sum(terms(squared_error(i), reference(i), epsilon));
     return sum / (3. * static_cast<double>(pixels));
 }
 
@@ -46,6 +46,21 @@ double relative_mse(std::span<const Rgb> image, std::span<const Rgb> reference)
     assert(image.size() == reference.size() && !image.empty());
     const auto squared_error = [&](std::size_t i) { return (image[i] - reference[i]) * (image[i] - reference[i]); };
     return mean_of_terms(image.size(), squared_error, [&](std::size_t i) { return reference[i]; });
+}
+
+std::vector<double> relative_squared_errors(std::span<const Rgb> image, std::span<const Rgb> reference)
+{
+    assert(image.size() == reference.size() && !image.empty());
+    Rgb sum_of_reference(0);
+    for (const Rgb& pixel : reference) sum_of_reference += pixel;
+    const double epsilon = epsilon_of(sum_of_reference, reference.size());
+    std::vector<double> all;
+    all.reserve(3 * image.size());
+    for (std::size_t i = 0; i < image.size(); ++i) {
+        const Rgb difference = image[i] - reference[i], pixel = terms(difference * difference, reference[i], epsilon);
+        all.insert(all.end(), {pixel.x, pixel.y, pixel.z});
+    }
+    return all;
 }
 
 double expected_relative_mse(std::span<const Rgb> image, std::span<const Rgb> variance_of_mean)

@@ -6,6 +6,7 @@
 /// and "the error" is its square root: .01 reads as one percent. Where there is no reference, the expectation of (x - ref)^2 is the
 /// variance of the mean and the image's own values stand for ref. This holds however the noise is correlated between pixels.
 #include <span>
+#include <vector>
 
 #include "film/film.hpp"
 
@@ -14,6 +15,9 @@ namespace tyndall {
 /// relMSE of `image` against `reference` (same size, not empty). Two black images have error 0; light where the whole reference is black
 /// gives infinity.
 double relative_mse(std::span<const Rgb> image, std::span<const Rgb> reference);
+
+/// Its terms (x - ref)^2 / (ref^2 + e), red, green and blue of each pixel in turn: their mean is `relative_mse` up to rounding.
+std::vector<double> relative_squared_errors(std::span<const Rgb> image, std::span<const Rgb> reference);
 
 /// Expected relMSE of an image whose pixels have these variances, with its own values for the reference.
 double expected_relative_mse(std::span<const Rgb> image, std::span<const Rgb> variance_of_mean);

@@ -49,6 +49,7 @@ constexpr Row rows[] = {
     {"host/visibility/", 8, true},
     {"host/film/", 8, true},
     {"host/report/", 8, true},
+    {"host/metrics/", 9},
     {"host/transport/", 9},
     {"host/lights/", 10},
     {"host/light_tracing/", 10},
@@ -58,9 +59,10 @@ constexpr Row rows[] = {
     {"host/photon_map/", 10},
     {"host/selftest/", 10},
     {"host/pipeline/", 11},
-    {"host/cli/", 12},
-    {"tests/", 13},
-    {"bench/", 13},
+    {"host/comparison/", 12},
+    {"host/cli/", 13},
+    {"tests/", 14},
+    {"bench/", 14},
 };
 
 std::optional<Row> row_of(const std::string& path)
