@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/compare_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/explain_command.hpp"
 #include "cli/interrupt.hpp"
@@ -21,6 +22,7 @@ namespace {
 struct Request {
     RenderCommand render;
     ExplainCommand explain;
+    CompareCommand compare;
     InfoCommand info;
     DevicesCommand devices;
     SelftestCommand selftest;
@@ -31,6 +33,7 @@ constexpr const char* examples = R"(Examples:
   tyndall render scene.xml -o fog.exr --time 2m  what two minutes allow
   tyndall render scene.xml --method path         the same image by path tracing
   tyndall explain scene.xml                      what would be simulated, why, and how long it takes
+  tyndall compare a.exr b.exr --tolerance 1%     how far an image is from another
   tyndall info scene.xml                         what the file says
   tyndall devices                                where it can run
   tyndall selftest                               whether the device computes as it must
@@ -64,6 +67,7 @@ void declare(CLI::App& app, Request& request)
     add_render_options(*render, request.render);
     auto* explain = app.add_subcommand("explain", "Says what `render` with the same options would simulate, what not and why, with memory and time");
     add_explain_options(*explain, request.explain);
+    add_compare_options(*app.add_subcommand("compare", "Says how far an image is from its reference; exit code 8 outside a tolerance"), request.compare);
     auto* info = app.add_subcommand("info", "Prints what was read from a scene");
     info->add_option("scene", request.info.scene, "scene file, Mitsuba 3 XML")->required()->type_name("SCENE.XML");
     info->add_flag("--json", request.info.json, "as JSON");
@@ -125,6 +129,7 @@ int run(int argc, char** argv)
     }
     if (app.got_subcommand("render")) return run_render(request.render);
     if (app.got_subcommand("explain")) return run_explain(request.explain);
+    if (app.got_subcommand("compare")) return run_compare(request.compare);
     if (app.got_subcommand("info")) return run_info(request.info);
     if (app.got_subcommand("selftest")) return run_selftest(request.selftest);
     return run_devices(request.devices);

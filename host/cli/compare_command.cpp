@@ -1,0 +1,35 @@
+#include "cli/compare_command.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "cli/exit_code.hpp"
+#include "comparison/image_pair.hpp"
+#include "report/readable.hpp"
+#include "tyndall/error.hpp"
+
+namespace tyndall {
+namespace {
+
+int compare_images(const CompareCommand& command)
+{
+    const ImageFile image = load_image_file(command.inputs[0], command.layers), reference = load_image_file(command.inputs[1], command.layers);
+    const ImagePair pair = compare_image_files(image, reference);
+    for (const auto& warning : pair.warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
+    fmt::print("{}", command.json ? to_json(pair, image, reference) : to_table(pair, image, reference));
+    const double error = std::sqrt(pair.error.relative_mse);
+    if (!command.tolerance || error <= *command.tolerance) return static_cast<int>(ExitCode::ok);
+    fmt::print(stderr, "the error of {} is above the tolerance of {}\n", readable_percent(error), readable_percent(*command.tolerance));
+    return static_cast<int>(ExitCode::outside_tolerance);
+}
+
+}  // namespace
+
+int run_compare(const CompareCommand& command)
+{
+    if (command.inputs.size() != 2) throw UsageError("compare needs two images: `tyndall compare image.exr reference.exr`");
+    return compare_images(command);
+}
+
+}  // namespace tyndall
