@@ -1,5 +1,6 @@
 #pragma once
 /// Values of options, strictly: the whole text, decimal, in range, in the C locale. All throw UsageError that names option and value.
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,7 +9,7 @@
 #include <vector>
 
 #include "tyndall/layer.hpp"
-#include "tyndall/settings.hpp"
+#include "tyndall/setting_names.hpp"
 
 namespace tyndall {
 
@@ -36,6 +37,15 @@ std::optional<std::uint32_t> parse_features(std::string_view option, const std::
 
 /// Index of `text` in `names`.
 std::size_t parse_choice(std::string_view option, const std::string& text, const std::vector<std::string>& names);
+
+/// The value of that name in one of the tables of tyndall/setting_names.hpp.
+template <class Value, std::size_t count>
+Value parse_named(std::string_view option, const std::string& text, const std::array<Named<Value>, count>& table)
+{
+    std::vector<std::string> names;
+    for (const auto& named : table) names.emplace_back(named.name);
+    return table[parse_choice(option, text, names)].value;
+}
 
 /// "name=value"; the name is not empty.
 std::pair<std::string, std::string> parse_definition(std::string_view option, const std::string& text);

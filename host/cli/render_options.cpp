@@ -37,7 +37,7 @@ void add_budget(CLI::App& app, RenderSettings& settings)
 void add_transport(CLI::App& app, RenderSettings& settings, LayerSet& layers)
 {
     add(app, "--method", "NAME", "vrl: virtual ray lights; path: path tracing of every layer (vrl)", [&](const auto& text) {
-        settings.method = parse_choice("--method", text, {"vrl", "path"}) == 0 ? Method::vrl : Method::path;
+        settings.method = parse_named("--method", text, method_names);
     });
     app.add_option_function<std::vector<std::string>>(
            "--layer",
@@ -54,14 +54,13 @@ void add_transport(CLI::App& app, RenderSettings& settings, LayerSet& layers)
         settings.light_segments = parse_choice("--light-segments", text, {"all", "first"}) == 0 ? LightSegments::all : LightSegments::first;
     });
     add(app, "--sampler", "NAME", "of connections: auto, paper-isotropic, paper, paper-6, table, table-4x4 or table-3x2 (by how media scatter)", [&](const auto& text) {
-        constexpr std::array samplers{Sampler::automatic, Sampler::paper_isotropic, Sampler::paper, Sampler::paper_6, Sampler::table, Sampler::table_4x4, Sampler::table_3x2};
-        settings.sampler = samplers[parse_choice("--sampler", text, {"auto", "paper-isotropic", "paper", "paper-6", "table", "table-4x4", "table-3x2"})];
+        settings.sampler = parse_named("--sampler", text, sampler_names);
     });
     add(app, "--sequence", "NAME", "numbers of the samples: auto, random or sobol", [&](const auto& text) {
-        settings.sequence = std::array{Sequence::automatic, Sequence::random, Sequence::sobol}[parse_choice("--sequence", text, {"auto", "random", "sobol"})];
+        settings.sequence = parse_named("--sequence", text, sequence_names);
     });
     add(app, "--transmittance", "NAME", "through density grids: march, with an exact correction for one pair in 32, or exact (march)", [&](const auto& text) {
-        settings.transmittance = parse_choice("--transmittance", text, {"march", "exact"}) == 0 ? GridTransmittance::march : GridTransmittance::exact;
+        settings.transmittance = parse_named("--transmittance", text, transmittance_names);
     });
     add(app, "--samples", "N", "samples of every pair of light and eye per pass (1)", [&](const auto& text) { settings.samples_per_pair = integer("--samples", text, 1, 256); });
     add(app, "--skip-thin", "SHARE", "leave media_to_media out if at most this share of what media scatter is scattered there again: .01 or 1% (never)",

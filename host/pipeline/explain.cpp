@@ -10,6 +10,7 @@
 #include "pipeline/memory_estimate.hpp"
 #include "pipeline/savings.hpp"
 #include "pipeline/scene_doubts.hpp"
+#include "tyndall/setting_names.hpp"
 
 namespace tyndall {
 namespace {
@@ -56,7 +57,7 @@ Explanation explain(const Scene& scene, const RenderSettings& settings)
     const LayerPlan plan = plan_layers(scene, features, settings);
     const BuildMasks masks = build_masks(features, plan, settings.features);
     const std::uint32_t lights = lights_per_pass(settings, scene.camera);
-    Explanation e{.scene = scene.file, .method = settings.method == Method::path ? "path" : "vrl"};
+    Explanation e{.scene = scene.file, .method = std::string(name(settings.method))};
     e.width = scene.camera.crop_width, e.height = scene.camera.crop_height, e.passes = settings.passes, e.seconds = settings.seconds;
     e.lanes = plan.virtual_lights() ? settings.lanes ? settings.lanes : 16 : 0, e.lights = plan.virtual_lights() ? lights : 0;
     e.effects = effect_reports(features), e.layers = plan.reports;

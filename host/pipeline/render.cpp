@@ -12,6 +12,7 @@
 #include "pipeline/check_settings.hpp"
 #include "pipeline/forecast.hpp"
 #include "pipeline/pass_renderer.hpp"
+#include "tyndall/setting_names.hpp"
 
 namespace tyndall {
 namespace {
@@ -44,7 +45,7 @@ Progress progress_of(const RenderSettings& settings, const PassRenderer& rendere
 
 Report report_of(const Scene& scene, const RenderSettings& settings, const PassRenderer& renderer, const Film& film, double seconds)
 {
-    Report report{.scene = scene.file, .method = settings.method == Method::path ? "path" : "vrl"};
+    Report report{.scene = scene.file, .method = std::string(name(settings.method))};
     report.scene_hash = scene.hash, report.seed = settings.seed;
     report.width = film.width(), report.height = film.height(), report.passes = film.passes();
     report.threads = settings.threads ? settings.threads : static_cast<int>(std::thread::hardware_concurrency());
