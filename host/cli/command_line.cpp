@@ -9,6 +9,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/list_commands.hpp"
 #include "cli/render_command.hpp"
+#include "cli/render_line.hpp"
 #include "cli/render_options.hpp"
 #include "cli/selftest_command.hpp"
 #include "cli/version.hpp"
@@ -34,9 +35,17 @@ constexpr const char* examples = R"(Examples:
   tyndall render scene.xml --method path         the same image by path tracing
   tyndall explain scene.xml                      what would be simulated, why, and how long it takes
   tyndall compare a.exr b.exr --tolerance 1%     how far an image is from another
+  tyndall compare scene.xml --times 1,6 -o page  methods at equal time, as a page to look at
   tyndall info scene.xml                         what the file says
   tyndall devices                                where it can run
   tyndall selftest                               whether the device computes as it must
+)";
+
+constexpr const char* compare_examples = R"(Examples:
+  tyndall compare fog.exr reference.exr --tolerance 1%
+  tyndall compare scene.xml --times 1,6,1m -o page
+  tyndall compare scene.xml --methods vrl --samplers paper,table --lights 64,256
+  tyndall compare scene.xml --reference reference.exr --layer media_to_media --repeats 5
 )";
 
 constexpr const char* render_examples = R"(Examples:
@@ -52,7 +61,7 @@ public:
     ExamplesFirst() { column_width(32); }
     std::string make_description(const CLI::App* app) const override
     {
-        const char* shown = app->get_name() == "render" ? render_examples : app->get_parent() ? "" : examples;
+        const char* shown = app->get_name() == "render" ? render_examples : app->get_name() == "compare" ? compare_examples : app->get_parent() ? "" : examples;
         return app->get_description() + "\n\n" + shown + (*shown ? "\n" : "");
     }
 };
@@ -67,7 +76,7 @@ void declare(CLI::App& app, Request& request)
     add_render_options(*render, request.render);
     auto* explain = app.add_subcommand("explain", "Says what `render` with the same options would simulate, what not and why, with memory and time");
     add_explain_options(*explain, request.explain);
-    add_compare_options(*app.add_subcommand("compare", "Says how far an image is from its reference; exit code 8 outside a tolerance"), request.compare);
+    add_compare_options(*app.add_subcommand("compare", "Sets two images, or methods at equal time, side by side"), request.compare);
     auto* info = app.add_subcommand("info", "Prints what was read from a scene");
     info->add_option("scene", request.info.scene, "scene file, Mitsuba 3 XML")->required()->type_name("SCENE.XML");
     info->add_flag("--json", request.info.json, "as JSON");
@@ -129,7 +138,11 @@ int run(int argc, char** argv)
     }
     if (app.got_subcommand("render")) return run_render(request.render);
     if (app.got_subcommand("explain")) return run_explain(request.explain);
-    if (app.got_subcommand("compare")) return run_compare(request.compare);
+    if (app.got_subcommand("compare")) {
+        request.compare.invocation = "tyndall";
+        for (int i = 1; i < argc; ++i) request.compare.invocation += " " + shell_quoted(argv[i]);
+        return run_compare(request.compare);
+    }
     if (app.got_subcommand("info")) return run_info(request.info);
     if (app.got_subcommand("selftest")) return run_selftest(request.selftest);
     return run_devices(request.devices);

@@ -26,10 +26,15 @@ int compare_images(const CompareCommand& command)
 
 }  // namespace
 
-int run_compare(const CompareCommand& command)
+int run_compare(CompareCommand command)
 {
-    if (command.inputs.size() != 2) throw UsageError("compare needs two images: `tyndall compare image.exr reference.exr`");
-    return compare_images(command);
+    const bool images = command.inputs.front().extension() == ".exr";
+    if (command.inputs.size() == 2 && images) return compare_images(command);
+    if (command.inputs.size() == 1 && !images) {
+        if (command.tolerance) throw UsageError("--tolerance is for two images: `tyndall compare image.exr reference.exr --tolerance 1%`");
+        return compare_methods(command);
+    }
+    throw UsageError("compare takes two images, `tyndall compare image.exr reference.exr`, or one scene, `tyndall compare scene.xml`");
 }
 
 }  // namespace tyndall

@@ -1,31 +1,120 @@
 #include "cli/compare_options.hpp"
 
+#include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <functional>
 
 #include "cli/parse_values.hpp"
+#include "cli/render_options.hpp"
 
 namespace tyndall {
 namespace {
 
 using Texts = std::vector<std::string>;
 
-/// An option with a list of values, comma-separated and repeatable.
-void add_list(CLI::App& app, const char* name, const char* type, const char* description, Texts& values)
+void add(CLI::App& app, const char* name, const char* type, const std::string& description, std::function<void(const std::string&)> parse)
 {
-    app.add_option(name, values, description)->type_name(type)->delimiter(',')->allow_extra_args(false);
+    app.add_option_function<std::string>(name, std::move(parse), description)->type_name(type);
+}
+
+/// An option with a list of values, comma-separated.
+void add_list(CLI::App& app, const char* name, const char* type, const std::string& description, std::function<void(const Texts&)> parse)
+{
+    app.add_option_function<Texts>(name, std::move(parse), description)->type_name(type)->delimiter(',')->allow_extra_args(false);
+}
+
+/// A dial whose values come from a table of names.
+template <class Value, std::size_t count>
+void add_named_dial(CLI::App& app, CompareCommand& command, const char* option, const std::string& description, const std::array<Named<Value>, count>& table, Value RenderSettings::*member)
+{
+    std::string known;
+    for (const auto& named : table) known += (known.empty() ? "" : ", ") + std::string(named.name);
+    add_list(app, option, "NAMES", description + ": " + known, [=, &command, &table](const Texts& texts) {
+        Dial dial;
+        for (const std::string& text : texts) {
+            const Value value = parse_named(option, text, table);
+            dial.values.push_back({text, [member, value](RenderSettings& s) { s.*member = value; }});
+        }
+        command.dials.push_back(dial);
+    });
+}
+
+/// A dial of whole numbers; "128 lights" is the name of a value.
+template <class Number>
+void add_number_dial(CLI::App& app, CompareCommand& command, const char* option, const char* description, std::int64_t most, const char* unit, Number RenderSettings::*member)
+{
+    add_list(app, option, "NUMBERS", description, [=, &command](const Texts& texts) {
+        Dial dial;
+        for (const std::string& text : texts) {
+            const auto value = static_cast<Number>(parse_integer(option, text, 1, most));
+            dial.values.push_back({fmt::format("{} {}", text, unit), [member, value](RenderSettings& s) { s.*member = value; }});
+        }
+        command.dials.push_back(dial);
+    });
+}
+
+void add_dials(CLI::App& app, CompareCommand& command)
+{
+    add_list(app, "--methods", "NAMES", "methods to compare (all that there are)", [&](const Texts& texts) {
+        for (const std::string& text : texts) command.methods.push_back(parse_named("--methods", text, method_names));
+    });
+    add_named_dial(app, command, "--samplers", "of connections", sampler_names, &RenderSettings::sampler);
+    add_named_dial(app, command, "--sequences", "numbers of the samples", sequence_names, &RenderSettings::sequence);
+    add_named_dial(app, command, "--transmittances", "through density grids", transmittance_names, &RenderSettings::transmittance);
+    add_named_dial(app, command, "--lengths", "of virtual ray lights", segment_length_names, &RenderSettings::segment_length);
+    add_number_dial(app, command, "--lights", "virtual lights per pass (as `render` chooses for the longest time)", 1 << 24, "lights", &RenderSettings::lights);
+    add_number_dial(app, command, "--samples", "of every pair of light and eye per pass (1)", 256, "samples", &RenderSettings::samples_per_pair);
+    add_list(app, "--lanes", "NUMBERS", "pixels per work-item: 1, 4, 8, 16 (by device)", [&](const Texts& texts) {
+        Dial dial;
+        for (const std::string& text : texts) {
+            const int lanes = std::array{1, 4, 8, 16}[parse_choice("--lanes", text, {"1", "4", "8", "16"})];
+            dial.values.push_back({text + " lanes", [lanes](RenderSettings& s) { s.lanes = lanes; }});
+        }
+        command.dials.push_back(dial);
+    });
+}
+
+void add_measuring(CLI::App& app, CompareCommand& command)
+{
+    add_list(app, "-t,--times", "TIMES", "seconds at which methods are compared: 1,6,1m (1,6)", [&](const Texts& texts) {
+        for (const std::string& text : texts) command.times.push_back(parse_duration("--times", text));
+    });
+    add(app, "--repeats", "N", "runs of each with other seeds, taken in turns; one has no error bar (3)",
+        [&](const auto& text) { command.repeats = static_cast<int>(parse_integer("--repeats", text, 1, 1000)); });
+    app.add_option("--reference", command.reference, "image to measure against, *.exr (made by path tracing)")->type_name("FILE");
+    add(app, "--reference-time", "TIME", "for the reference that is made (four times the longest time)",
+        [&](const auto& text) { command.reference_seconds = parse_duration("--reference-time", text); });
+    add(app, "--reference-method", "NAME", "that makes it (path)", [&](const auto& text) { command.reference_method = parse_named("--reference-method", text, method_names); });
+    add(app, "--seed", "N", "of the reference; runs have the seeds after it (1)", [&](const auto& text) { command.settings.seed = parse_unsigned("--seed", text); });
+    app.add_option("-o,--output", command.output, "folder for the page (named after the scene)")->type_name("FOLDER");
+}
+
+void add_scene(CLI::App& app, CompareCommand& command)
+{
+    add(app, "--max-depth", "D", "as for render", [&](const auto& text) {
+        command.settings.max_depth = text == "-1" ? -1 : static_cast<int>(parse_integer("--max-depth", text, 1, 1 << 20));
+    });
+    add(app, "--resolution", "WxH", "film size in pixels", [&](const auto& text) { command.resolution = parse_resolution("--resolution", text); });
+    add(app, "--crop", "X,Y,W,H", "only this window of the film", [&](const auto& text) { command.crop = parse_crop("--crop", text); });
+    add(app, "-d,--device", "DEVICE", "as for render", [&](const auto& text) { command.settings.device = text; });
+    add(app, "--threads", "N", "host threads (all cores)", [&](const auto& text) { command.settings.threads = static_cast<int>(parse_integer("--threads", text, 1, 1024)); });
+    add_load_options(app, command.load);
 }
 
 }  // namespace
 
 void add_compare_options(CLI::App& app, CompareCommand& command)
 {
-    app.add_option("inputs", command.inputs, "an image and its reference, *.exr")->required()->expected(1, 2)->type_name("FILES");
-    add_list(app, "--layer", "NAMES", "compare this layer, or the sum of several, instead of the image; repeatable", command.layers);
-    app.add_option_function<std::string>(
-           "--tolerance", [&](const std::string& text) { command.tolerance = parse_share("--tolerance", text); },
-           "exit code 8 if the error of the first image is larger: 1% or .01 (any error is fine)")
-        ->type_name("SHARE");
-    app.add_flag("--json", command.json, "as JSON");
+    app.add_option("inputs", command.inputs, "an image and its reference, *.exr, or a scene, *.xml")->required()->expected(1, 2)->type_name("FILES");
+    add_list(app, "--layer", "NAMES", "compare this layer, or the sum of several, instead of the image", [&](const Texts& texts) {
+        for (const std::string& text : texts) command.layers.push_back(text);
+    });
+    add(app, "--tolerance", "SHARE", "two images: exit code 8 if the error of the first is larger: 1% or .01 (any error is fine)",
+        [&](const auto& text) { command.tolerance = parse_share("--tolerance", text); });
+    app.add_flag("--json", command.json, "as JSON, on standard output");
+    add_dials(app, command);
+    add_measuring(app, command);
+    add_scene(app, command);
 }
 
 }  // namespace tyndall

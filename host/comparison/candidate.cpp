@@ -22,7 +22,7 @@ std::vector<Candidate> multiplied(const std::vector<Candidate>& candidates, cons
         for (const DialValue& value : dial.values) {
             all.push_back(candidate);
             value.set(all.back().settings);
-            if (dial.values.size() > 1) all.back().name += ", " + value.name;
+            if (dial.values.size() > 1) all.back().name += " · " + value.name;
         }
         if (all.size() > most_candidates) throw UsageError(fmt::format("these lists make more than {} combinations; compare fewer at a time", most_candidates));
     }

@@ -9,7 +9,7 @@
 namespace tyndall {
 
 struct Candidate {
-    std::string name;         ///< what tells it from the others: "vrl, paper, 1024 lights"
+    std::string name;         ///< what tells it from the others: "vrl · paper · 1024 lights"
     RenderSettings settings;  ///< seed and budget are filled in for every run
 };
 

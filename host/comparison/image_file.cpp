@@ -10,6 +10,7 @@
 #include "film/exr.hpp"
 #include "scene/text.hpp"
 #include "tyndall/error.hpp"
+#include "tyndall/layer.hpp"
 
 namespace tyndall {
 namespace {
@@ -63,6 +64,13 @@ void add_layer(const std::filesystem::path& file, const ExrImage& image, const s
     if (bad) throw SceneError(fmt::format("{}: {} values are not finite, the first is {}; an error against it means nothing: render it again", file.string(), bad, first));
 }
 
+std::string text_attribute(const ExrImage& image, const char* name)
+{
+    const auto found = image.attributes.find(name);
+    const auto* text = found == image.attributes.end() ? nullptr : std::get_if<std::string>(&found->second);
+    return text ? *text : "";
+}
+
 std::string size_of(const ImageFile& image) { return fmt::format("{} x {} pixels at ({}, {})", image.width, image.height, image.x, image.y); }
 
 }  // namespace
@@ -82,9 +90,21 @@ ImageFile load_image_file(const std::filesystem::path& file, const std::vector<s
         if (const auto passes = image.attributes.find("tyndall.passes"); passes != image.attributes.end())
             if (const int* n = std::get_if<int>(&passes->second); n && *n < 2) loaded.variance.clear();  // zeros that stand for unknown
     }
-    if (const auto hash = image.attributes.find("tyndall.scene_hash"); hash != image.attributes.end())
-        if (const auto* text = std::get_if<std::string>(&hash->second)) loaded.scene_hash = *text;
+    loaded.scene_hash = text_attribute(image, "tyndall.scene_hash"), loaded.method = text_attribute(image, "tyndall.method");
     return loaded;
+}
+
+std::map<std::string, std::vector<Rgb>> load_known_layers(const std::filesystem::path& file)
+{
+    const ExrImage image = read_exr(file);
+    std::map<std::string, std::vector<Rgb>> layers;
+    for (const std::string_view known : layer_names) {
+        const std::string layer(known);
+        if (!has_colours(image, layer)) continue;
+        layers[layer].assign(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height), Rgb(0));
+        add_layer(file, image, layer, layers[layer]);
+    }
+    return layers;
 }
 
 void require_same_window(const ImageFile& image, const ImageFile& reference)

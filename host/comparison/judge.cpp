@@ -98,18 +98,22 @@ std::optional<MeanEstimate> log_error(const std::vector<Run>& runs, double secon
     return mean.estimate();
 }
 
-Verdict verdict_of(std::size_t a, std::size_t b, const std::vector<Measurement>& all, const Judgement& judgement, std::size_t time, double floor)
+/// `a` has the lower mean log relMSE, or where that is unknown, any of the two.
+Verdict verdict_of_pair(std::size_t a, std::size_t b, const std::vector<Measurement>& all, const Judgement& judgement, std::size_t time, double floor)
 {
     const ErrorAt &of_a = judgement.summaries[a].at_times[time], &of_b = judgement.summaries[b].at_times[time];
-    if (of_b.relative_mse->median < of_a.relative_mse->median) return verdict_of(b, a, all, judgement, time, floor);
     Verdict verdict{.better = a, .worse = b, .seconds = of_a.seconds, .ratio = of_b.relative_mse->median / of_a.relative_mse->median};
     const auto log_a = log_error(all[a].runs, of_a.seconds, floor), log_b = log_error(all[b].runs, of_a.seconds, floor);
-    if (!log_a || !log_b || log_a->degrees == 0 || log_b->degrees == 0) return verdict;
+    if (!log_a || !log_b || log_a->degrees == 0 || log_b->degrees == 0) {
+        if (verdict.ratio < 1) std::swap(verdict.better, verdict.worse), verdict.ratio = 1 / verdict.ratio;
+        return verdict;
+    }
     const double pairs = .5 * static_cast<double>(all.size() * (all.size() - 1));  // Bonferroni: all intervals of a time hold together
     const MeanEstimate difference{log_b->value - log_a->value, log_a->variance + log_b->variance, welch_degrees(*log_a, *log_b)};
+    if (difference.value < 0) return verdict_of_pair(b, a, all, judgement, time, floor);
     const double width = half_width(difference, 1 - .05 / pairs);
     verdict.ratio = std::exp(difference.value), verdict.low = std::exp(difference.value - width), verdict.high = std::exp(difference.value + width);
-    verdict.significant = verdict.low > 1 || verdict.high < 1;
+    verdict.significant = verdict.low > 1;
     return verdict;
 }
 
@@ -123,7 +127,7 @@ Judgement judge(const std::vector<Measurement>& measurements, const Reference& r
     for (std::size_t t = 0; t < times.size(); ++t)
         for (std::size_t a = 0; a < measurements.size(); ++a)
             for (std::size_t b = a + 1; b < measurements.size(); ++b)
-                if (known(a, t) && known(b, t)) judgement.verdicts.push_back(verdict_of(a, b, measurements, judgement, t, reference.floor));
+                if (known(a, t) && known(b, t)) judgement.verdicts.push_back(verdict_of_pair(a, b, measurements, judgement, t, reference.floor));
     return judgement;
 }
 
@@ -134,7 +138,7 @@ std::string sentence(const Verdict& verdict, const std::vector<Measurement>& mea
         return fmt::format("{} and {} at {:g} s: no error bar, from one run each or from errors at the reference's own noise", better, worse, verdict.seconds);
     const auto interval = fmt::format("{:.3g} ({:.3g} to {:.3g})", verdict.ratio, verdict.low, verdict.high);
     if (!verdict.significant) return fmt::format("{} and {} at {:g} s: the bars do not tell them apart, ratio {}", better, worse, verdict.seconds, interval);
-    return fmt::format("{} has 1/{} of the relMSE of {} at {:g} s", better, interval, worse, verdict.seconds);
+    return fmt::format("{} has {} times the relMSE of {} at {:g} s", worse, interval, better, verdict.seconds);
 }
 
 std::string sentence(const Bias& bias)

@@ -30,11 +30,11 @@ struct Summary {
     double share_of_largest = 0;       ///< of that run
 };
 
-/// Two candidates at one time: `better` had the lower median error.
+/// Two candidates at one time: `better` had the lower error, by the mean of its logarithm, or by the median where there is only one run or a bound.
 struct Verdict {
     std::size_t better = 0, worse = 0;  ///< indices
     double seconds = 0;
-    double ratio = 1;            ///< relMSE of worse / better: how many times longer the worse one needs for the same error, if errors fall with the root of time
+    double ratio = 1;            ///< relMSE of worse / better, at least 1: how many times longer the worse one needs for the same error, if errors fall with the root of time
     double low = 0, high = 0;    ///< interval of the ratio that holds with 95 % for all pairs of that time together; high 0: unknown
     bool significant = false;    ///< the interval leaves 1 out
 };
@@ -47,7 +47,7 @@ struct Judgement {
 /// Every measurement has the same positive number of runs. With one run each nothing is ever significant; nor is what lies at the reference's own noise.
 Judgement judge(const std::vector<Measurement>& measurements, const Reference& reference, const std::vector<double>& times);
 
-/// "vrl is 3.1 (2.2 to 4.4) times better than path at 6 s", or that the bars do not tell them apart.
+/// "path has 3.1 (2.2 to 4.4) times the relMSE of vrl at 6 s", or that the bars do not tell them apart.
 std::string sentence(const Verdict& verdict, const std::vector<Measurement>& measurements);
 
 /// "no bias found: -0.1 % +- 0.4 %", "biased by +2.0 % +- 0.3 % (z 13)", or that it is unknown.

@@ -23,9 +23,12 @@ std::vector<std::uint8_t> tone_mapped(std::span<const Rgb> image, double exposur
     return bytes;
 }
 
-/// libpng's simplified interface: no callbacks, no long jumps through C++; 8-bit RGB in the sRGB space.
-std::string encoded(const std::vector<std::uint8_t>& pixels, int width, int height, const std::string& name)
+}  // namespace
+
+// libpng's simplified interface: no callbacks, no long jumps through C++; 8-bit RGB in the sRGB space.
+std::string encode_png(std::span<const std::uint8_t> pixels, int width, int height, const std::string& name)
 {
+    assert(width > 0 && height > 0 && pixels.size() == 3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     png.width = static_cast<png_uint_32>(width), png.height = static_cast<png_uint_32>(height);
@@ -38,13 +41,11 @@ std::string encoded(const std::vector<std::uint8_t>& pixels, int width, int heig
     return bytes;
 }
 
-}  // namespace
-
 void write_png(const std::filesystem::path& file, std::span<const Rgb> image, int width, double exposure)
 {
     assert(width > 0 && !image.empty() && image.size() % static_cast<std::size_t>(width) == 0);
     const int height = static_cast<int>(image.size() / static_cast<std::size_t>(width));
-    write_atomically(file, encoded(tone_mapped(image, exposure), width, height, file.string()));
+    write_atomically(file, encode_png(tone_mapped(image, exposure), width, height, file.string()));
 }
 
 }  // namespace tyndall

@@ -110,7 +110,7 @@ TEST(Judge, AMethodThatIsTwiceAsGoodIsCalledSo)
         EXPECT_TRUE(verdict.significant) << sentence(verdict, result.measurements);
         EXPECT_LT(verdict.low, 2);
         EXPECT_GT(verdict.high, 2);
-        EXPECT_THAT(sentence(verdict, result.measurements), HasSubstr("of the relMSE of method 1"));
+        EXPECT_THAT(sentence(verdict, result.measurements), HasSubstr("times the relMSE of method 2"));
     }
 }
 

@@ -95,7 +95,7 @@ TEST(Candidates, AreEveryCombinationWithoutRepeatingMethodsWithoutVirtualLights)
     const auto all = candidates_of({}, {Method::vrl, Method::path}, {one, lights});
     std::vector<std::string> names;
     for (const auto& c : all) names.push_back(c.name);
-    EXPECT_THAT(names, ElementsAre("vrl, 64 lights", "vrl, 256 lights", "path"));
+    EXPECT_THAT(names, ElementsAre("vrl · 64 lights", "vrl · 256 lights", "path"));
     EXPECT_EQ(all[1].settings.lights, 256u);
     EXPECT_EQ(all[1].settings.sampler, Sampler::paper);
     EXPECT_EQ(all[2].settings.method, Method::path);
@@ -124,11 +124,11 @@ TEST(Reference, FromAFileTellsWhatItsErrorBarIsFor)
 {
     ImageFile file{.file = "ref.exr", .width = 16, .height = 8, .pixels = std::vector<Rgb>(128, Rgb(2)), .variance = std::vector<Rgb>(128, Rgb(.04)), .scene_hash = "aa"};
     const Reference alone = reference_from_file(file, true, "aa"), together = reference_from_file(file, false, "bb");
-    EXPECT_DOUBLE_EQ(alone.floor, .04 / (4 + .01));
-    EXPECT_DOUBLE_EQ(alone.whole.variance, .04 / 128);
-    EXPECT_DOUBLE_EQ(alone.blocks.at(1).variance, .04 / 64);
-    EXPECT_DOUBLE_EQ(together.whole.variance, .04) << "noise that all pixels share does not average out";
-    EXPECT_DOUBLE_EQ(together.blocks.at(1).variance, .04);
+    EXPECT_NEAR(alone.floor, .04 / (4 + .01), 1e-14);
+    EXPECT_NEAR(alone.whole.variance, .04 / 128, 1e-15);
+    EXPECT_NEAR(alone.blocks.at(1).variance, .04 / 64, 1e-15);
+    EXPECT_NEAR(together.whole.variance, .04, 1e-14) << "noise that all pixels share does not average out";
+    EXPECT_NEAR(together.blocks.at(1).variance, .04, 1e-14);
     EXPECT_THAT(alone.warnings, testing::IsEmpty());
     EXPECT_THAT(together.warnings, ElementsAre(HasSubstr("another scene")));
     file.variance.clear();

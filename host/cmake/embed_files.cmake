@@ -1,6 +1,7 @@
-# cmake -DROOT=repository -DFILES=a,b,... -DOUTPUT=file.cpp -P embed_kernels.cmake: writes a table of (path, text) of the kernel files.
+# cmake -DROOT=folder -DFILES=a,b,... -DHEADER=h.hpp -DTYPE=T -DFUNCTION=f -DOUTPUT=file.cpp -P embed_files.cmake: defines the function f() that the header declares; it
+# returns a table of T, (path, text, size) of every file.
 string(REPLACE "," ";" files "${FILES}")
-set(text "// Made by host/cmake/embed_kernels.cmake.\n#include \"kernels/embedded_kernels.hpp\"\n\nnamespace tyndall {\n\nconst std::span<const EmbeddedKernel> embedded_kernels()\n{\n    static const EmbeddedKernel files[] = {\n")
+set(text "// Made by host/cmake/embed_files.cmake.\n#include \"${HEADER}\"\n\nnamespace tyndall {\n\nconst std::span<const ${TYPE}> ${FUNCTION}()\n{\n    static const ${TYPE} files[] = {\n")
 foreach(file IN LISTS files)
   file(READ ${ROOT}/${file} content HEX)
   string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," bytes "${content}")

@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "cli/compare_command.hpp"
+#include "cli/exit_code.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/outputs.hpp"
+#include "cli/parse_values.hpp"
+#include "cli/render_command.hpp"
+#include "cli/render_line.hpp"
+#include "cli/version.hpp"
+#include "comparison/comparison_json.hpp"
+#include "film/atomic_file.hpp"
+#include "path_tracing/path_tracing.hpp"
+#include "pipeline/light_budget.hpp"
+#include "report/comparison_page.hpp"
+#include "report/readable.hpp"
+#include "tyndall/error.hpp"
+
+namespace tyndall {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Fills in what was not given, and puts the times in order.
+void complete(CompareCommand& command)
+{
+    if (command.methods.empty())
+        for (const auto& method : method_names) command.methods.push_back(method.value);
+    if (command.times.empty()) command.times = {1, 6};
+    std::ranges::sort(command.times);
+    command.times.erase(std::unique(command.times.begin(), command.times.end()), command.times.end());
+    if (!command.reference_seconds) command.reference_seconds = 4 * command.times.back();
+    if (command.output.empty()) command.output = fs::path(command.inputs.front().stem()) += "_compare";
+    if (!command.layers.empty()) command.settings.layers = {};
+    for (const std::string& layer : command.layers) parse_layers("--layer", layer, command.settings.layers);
+}
+
+/// Makes the folder, and finds out before an hour of measuring whether its files can be written.
+void prepare_output(const fs::path& folder)
+{
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw IoError(fmt::format("{}: the folder cannot be made: {}; name another one with -o", folder.string(), error.message()));
+    for (const char* file : {"index.html", "comparison.json", "reference.exr"}) check_writable(folder / file);
+}
+
+Reference load_reference(const CompareCommand& command, const Scene& scene)
+{
+    const ImageFile file = load_image_file(command.reference, command.layers);
+    const Camera& camera = scene.camera;
+    require_same_window({.file = scene.file, .x = camera.crop_x, .y = camera.crop_y, .width = camera.crop_width, .height = camera.crop_height}, file);
+    Reference reference = reference_from_file(file, file.method == name(Method::path), fmt::format("{:016x}", scene.hash));
+    reference.layers = load_known_layers(command.reference);
+    return reference;
+}
+
+Reference make_and_write_reference(const CompareCommand& command, const Scene& scene, const RenderFunction& render, const InterruptGuard& interrupt)
+{
+    RenderSettings settings = command.settings;
+    settings.method = command.reference_method;
+    fmt::print(stderr, "reference: {}, about {}\n", name(settings.method), readable_seconds(*command.reference_seconds));
+    MadeReference made = make_reference(render, settings, *command.reference_seconds, [&] { return interrupt.signal() != 0; });
+    if (settings.method == Method::path)
+        for (const std::string& sentence : uncarried_light(scene)) made.reference.warnings.push_back("the reference lacks light: " + sentence);
+    made.outcome.report.version = version();
+    write_outputs({command.output / "reference.exr", command.output / "reference.png", command.output / "reference.json"}, made.outcome.film, scene.camera,
+                  {.layers = settings.layers, .timestamps = false}, made.outcome.report);
+    return std::move(made.reference);
+}
+
+ComparisonAbout about(const CompareCommand& command, const Scene& scene, const std::vector<Measurement>& measurements)
+{
+    ComparisonAbout about{.version = version(), .scene_file = scene.file, .layer = command.layers.empty() ? "image" : "", .scene_hash = scene.hash, .warnings = scene.warnings};
+    for (const std::string& layer : command.layers) about.layer += (about.layer.empty() ? "" : " + ") + layer;
+    about.command = command.invocation;
+    for (const Measurement& m : measurements) about.render_commands.push_back(render_line(command, m.candidate.settings));
+    return about;
+}
+
+void write_page(const CompareCommand& command, const Comparison& comparison)
+{
+    const std::string json = to_json(comparison);
+    write_atomically(command.output / "comparison.json", json);
+    write_atomically(command.output / "index.html", comparison_page(to_page_data(comparison)));
+    fmt::print(stderr, "{}", to_table(comparison));
+    if (command.json) fmt::print("{}", json);
+    else
+        for (const char* file : {"index.html", "comparison.json"}) fmt::print("{}\n", (command.output / file).string());
+}
+
+double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+}  // namespace
+
+int compare_methods(CompareCommand& command)
+{
+    complete(command);
+    const auto candidates = candidates_of(command.settings, command.methods, command.dials);
+    Scene scene = load_scene(command.inputs.front(), command.load);
+    for (const auto& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
+    override_film(scene.camera, command.resolution, command.crop);
+    prepare_output(command.output);
+    const RenderFunction render_scene = [&](RenderSettings settings, const ProgressCallback& progress) {
+        if (settings.lights == 0) settings.lights = default_lights(scene.camera, command.times.back());  // what `render --time` of the longest time would take
+        return render(scene, settings, progress);
+    };
+    const InterruptGuard interrupt;
+    const Reference reference = command.reference.empty() ? make_and_write_reference(command, scene, render_scene, interrupt) : load_reference(command, scene);
+    for (const auto& warning : reference.warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
+    const MeasuringPlan plan{.times = command.times, .repeats = command.repeats, .seed = command.settings.seed};
+    const auto note = [](const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); };
+    const auto measurements = measure(candidates, reference, plan, render_scene, {[&] { return interrupt.signal() != 0; }, note, seconds_now});
+    if (measurements.front().runs.empty()) throw Error("stopped before every method had one run, so there is nothing to write");
+    const Judgement judgement = judge(measurements, reference, plan.times);
+    write_page(command, {about(command, scene, measurements), reference, plan, measurements, judgement});
+    return interrupt.signal() ? exit_after_signal + interrupt.signal() : static_cast<int>(ExitCode::ok);
+}
+
+}  // namespace tyndall
