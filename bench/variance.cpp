@@ -2,10 +2,12 @@
 ///     variance [PAIRS [SAMPLES]]
 /// The kernels' own mathematics on the host, in double; nothing occludes, media are homogeneous and grey. bench/variance.py makes tables of it.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -125,21 +127,38 @@ Row measured(const Sampler& sampler, const std::vector<VariancePair>& pairs, con
     return row;
 }
 
-void print_column(const Cell& cell, const std::vector<VariancePair>& pairs, int samples, bool last)
+/// Samples of one pair at a time, and from which numbers.
+struct Drawing {
+    const char* sequence;
+    int together;
+};
+
+void print_column(const Cell& cell, const std::vector<VariancePair>& pairs, int samples, std::span<const Sampler> compared, std::span<const Drawing> drawings, bool last)
 {
     std::vector<Moments> truth;
     for (std::size_t i = 0; i < pairs.size(); ++i) truth.push_back(moments(samplers()[4], pairs[i], cell, std::uint32_t(i) * 977u + 500000u, 4 * samples, 16, true));
-    std::printf("  {\"sigma_t\": %g, \"g\": %g, \"samplers\": {\n", cell.sigma, cell.g);
-    for (const auto& [sequence, together] : {std::pair("random", 1), std::pair("random", 4), std::pair("sobol", 4)})
-        for (const Sampler& sampler : samplers()) {
+    std::printf("  {\"sigma_t\": %g, \"g\": %g, \"samplers\": {", cell.sigma, cell.g);
+    const char* comma = "";
+    for (const auto& [sequence, together] : drawings)
+        for (const Sampler& sampler : compared) {
             if (together == 4 && sampler.name == "vpl") continue;
             const Row row = measured(sampler, pairs, truth, cell, samples, together, std::string(sequence) == "sobol");
-            const bool end = std::string(sequence) == "sobol" && &sampler == &samplers().back();
             const std::string name = together == 1 ? sampler.name : sampler.name + ", 4 " + sequence;
-            std::printf("    \"%s\": {\"variance\": %.4g, \"standard_error\": %.2g, \"bias_in_standard_errors\": %.2f}%s\n", name.c_str(), row.mean, row.error, row.bias, end ? "" : ",");
+            std::printf("%s\n    \"%s\": {\"variance\": %.4g, \"standard_error\": %.2g, \"bias_in_standard_errors\": %.2f}", comma, name.c_str(), row.mean, row.error, row.bias);
+            comma = ",";
         }
-    std::printf("  }}%s\n", last ? "" : ",");
+    std::printf("\n  }}%s\n", last ? "" : ",");
     std::fflush(stdout);
+}
+
+/// `name`: of the list in the output.
+void print_columns(const char* name, std::span<const double> asymmetries, const std::vector<VariancePair>& pairs, int samples, std::span<const Sampler> compared,
+                   std::span<const Drawing> drawings)
+{
+    std::printf("\"%s\": [\n", name);
+    for (const double g : asymmetries)
+        for (const double sigma : {.1, 1., 4.}) print_column({sigma, g}, pairs, samples, compared, drawings, g == asymmetries.back() && sigma == 4);
+    std::printf("]");
 }
 
 }  // namespace
@@ -151,8 +170,12 @@ int main(int argc, char** argv)
     const int count = argc > 1 ? std::atoi(argv[1]) : 1000, samples = argc > 2 ? std::atoi(argv[2]) : 2000;
     if (count < 1 || samples < 4) return std::fprintf(stderr, "usage: variance [PAIRS [SAMPLES]]: at least 1 and 4\n"), 2;
     const auto pairs = variance_pairs(2012, count);
-    std::printf("{\"pairs\": %d, \"samples\": %d, \"seed\": 2012, \"columns\": [\n", count, samples);
-    for (const double g : {0., .55, .9})
-        for (const double sigma : {.1, 1., 4.}) print_column({sigma, g}, pairs, samples, g == .9 && sigma == 4);
-    std::puts("]}");
+    std::printf("{\"pairs\": %d, \"samples\": %d, \"seed\": 2012, ", count, samples);
+    constexpr std::array all{Drawing{"random", 1}, Drawing{"random", 4}, Drawing{"sobol", 4}};
+    constexpr std::array one{Drawing{"random", 1}};
+    print_columns("columns", std::array{0., .55, .9}, pairs, samples, samplers(), all);
+    std::printf(", ");
+    // Where the product of phase functions begins to win: the samplers that `auto` chooses from, at more asymmetries.
+    print_columns("crossing", std::array{.2, .3, .45, .55, .6, .7, .8, .9, .95}, pairs, samples, std::span(samplers()).subspan(1, 3), one);
+    std::puts("}");
 }

@@ -5,6 +5,8 @@
 #include "device/device_state.hpp"
 #include "device/kernel_source.hpp"
 #include "device/pair_stage.hpp"
+#include "kernels/selftest/case_tables.hpp"
+#include "kernels/shared/host_features.hpp"
 
 namespace tyndall {
 
@@ -16,15 +18,26 @@ struct CaseEvaluator::State {
     int lanes;
     std::string source, options;
     cl::Kernel kernel;
-    GrowingBuffer in{CL_MEM_READ_ONLY}, out{CL_MEM_WRITE_ONLY};
+    GrowingBuffer in{CL_MEM_READ_ONLY}, out{CL_MEM_WRITE_ONLY}, values{CL_MEM_READ_ONLY}, lobes{CL_MEM_READ_ONLY}, grids{CL_MEM_READ_ONLY};
 };
 
-CaseEvaluator::CaseEvaluator(Device& device, int lanes, std::optional<std::string> source)
+std::string case_options(int lanes, std::uint32_t families)
+{
+    return build_options({.features = feature_bit::phase_lobes, .lanes = lanes}) + " -DCASE_FAMILIES=" + std::to_string(families) + "u";
+}
+
+CaseEvaluator::CaseEvaluator(Device& device, int lanes, std::optional<std::string> source, std::uint32_t families)
     : state_(std::make_unique<State>(State{device.state(), lanes, source ? std::move(*source) : flattened_kernel("kernels/selftest/evaluate_cases.cl", {}),
-                                           build_options({.lanes = lanes})}))
+                                           case_options(lanes, families)}))
 {
     const cl::Program program = build_program(state_->device, state_->source, state_->options);
     state_->kernel = on_device(state_->device, "creating a kernel", [&] { return cl::Kernel(program, "evaluate_cases"); });
+    State& s = *state_;
+    on_device(s.device, "uploading what golden cases refer to", [&] {
+        s.kernel.setArg(4, s.values.upload(s.device, std::as_bytes(std::span(case_tables::values))));
+        s.kernel.setArg(5, s.lobes.upload(s.device, std::as_bytes(std::span(case_tables::lobes))));
+        s.kernel.setArg(6, s.grids.upload(s.device, std::as_bytes(std::span(case_tables::grids))));
+    });
 }
 
 CaseEvaluator::~CaseEvaluator() = default;

@@ -13,11 +13,12 @@
 namespace tyndall {
 
 inline constexpr std::size_t case_inputs = 14, case_outputs = 4;
+inline constexpr std::uint32_t every_case_family = 31;  ///< CASE_FAMILIES of kernels/selftest/evaluate.h
 
 class CaseEvaluator {
 public:
-    /// Compiles. `source`: a kernel text in place of the program's own, for tests that plant an error. Throws BuildError, DeviceError.
-    CaseEvaluator(Device& device, int lanes, std::optional<std::string> source = {});
+    /// Compiles the families of cases that are asked for. `source`: a kernel text in place of the program's own, for tests that plant an error. Throws BuildError, DeviceError.
+    CaseEvaluator(Device& device, int lanes, std::optional<std::string> source = {}, std::uint32_t families = every_case_family);
     ~CaseEvaluator();
     CaseEvaluator(CaseEvaluator&&) noexcept;
 
@@ -33,6 +34,9 @@ private:
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// Options that evaluate_cases.cl is built with.
+std::string case_options(int lanes, std::uint32_t families = every_case_family);
 
 /// The sets as the kernel's input buffer: field f of set i at f * count + i, count rounded up to whole groups of lanes by repeating the last set.
 std::vector<float> packed_inputs(std::span<const std::array<float, case_inputs>> in, int lanes);

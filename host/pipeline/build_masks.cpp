@@ -52,4 +52,20 @@ PairProgram pair_program(const Scene& scene, const RenderSettings& settings, Eye
             .transmittance = settings.transmittance == GridTransmittance::exact ? TRANSMITTANCE_EXACT : TRANSMITTANCE_MARCH};
 }
 
+std::uint32_t case_families(const Scene& scene, const RenderSettings& settings, const LayerPlan& plan, const BuildMasks& masks)
+{
+    constexpr std::uint32_t plain = 1, products = 2, marginals = 4, lobes = 8, grids = 16;
+    std::uint32_t families = plain, built = 0;
+    if (plan.media_to_media) {
+        built |= masks.media_to_media;
+        const int sampler = pair_program(scene, settings, EyeKind::segments, masks, 1).sampler;
+        if (sampler != SAMPLER_PAPER_ISOTROPIC) families |= products;
+        if (sampler >= SAMPLER_TABLE) families |= marginals;
+    }
+    if (plan.media_to_surface) built |= masks.media_to_surface;
+    if (built & feature_bit::phase_lobes) families |= lobes;
+    if (built & feature_bit::heterogeneous) families |= grids;
+    return families;
+}
+
 }  // namespace tyndall

@@ -22,4 +22,7 @@ std::string grid_transmittance(const RenderSettings& settings, const LayerPlan& 
 /// The program for the connections of one kind of eye.
 PairProgram pair_program(const Scene& scene, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes);
 
+/// The families of golden cases (kernels/selftest/evaluate.h) whose mathematics the render's kernels hold.
+std::uint32_t case_families(const Scene& scene, const RenderSettings& settings, const LayerPlan& plan, const BuildMasks& masks);
+
 }  // namespace tyndall

@@ -80,7 +80,8 @@ void PassRenderer::prepare_lights()
     const auto start = std::chrono::steady_clock::now();
     const auto build = [&](bool wanted, EyeKind kind) { return wanted ? make_connector(kind) : nullptr; };
     auto selftest = std::async(std::launch::async, [&] {
-        return settings_.selftest ? check_on_first_use({.device = device_->info(), .lanes = lanes_of(settings_, *device_)}) : SelftestReport{.outcome = "skipped"};
+        if (!settings_.selftest) return SelftestReport{.outcome = "skipped"};
+        return check_on_first_use({.device = device_->info(), .lanes = lanes_of(settings_, *device_), .families = case_families(scene_, settings_, plan_, masks_)});
     });
     auto to_points = std::async(std::launch::async, build, plan_.media_to_surface, EyeKind::points);
     auto to_segments = std::async(std::launch::async, build, plan_.media_to_media, EyeKind::segments);

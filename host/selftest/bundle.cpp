@@ -8,6 +8,7 @@
 
 #include "device/case_evaluator.hpp"
 #include "film/atomic_file.hpp"
+#include "kernels/selftest/case_tables.hpp"
 #include "tyndall/error.hpp"
 
 namespace tyndall {
@@ -17,10 +18,9 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 /// Raw, as OpenCL sees them; devices are little-endian (host/device/device_list.cpp refuses others), and so is the host that shares their memory.
-template <class Value>
-void write_raw(const fs::path& file, const std::vector<Value>& values)
+void write_raw(const fs::path& file, const auto& values)
 {
-    write_atomically(file, {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)});
+    write_atomically(file, {reinterpret_cast<const char*>(std::data(values)), std::size(values) * sizeof(*std::data(values))});
 }
 
 /// One field of the expected outputs, [output][set] as the kernel writes them; sets that only fill the last group expect what the last one does.
@@ -95,7 +95,8 @@ std::string readme(const SelftestResult& result, const std::vector<std::string>&
     std::string text = fmt::format(
         "# A kernel that does not give what it must\n\nDevice: {}: {}, driver {}, {}.\n\n"
         "`lanesN/kernel.cl` is one OpenCL C file without includes, built with `lanesN/build_options.txt`; it holds the kernel\n"
-        "`evaluate_cases(uint sampler, global const float* in, uint count, global float* out)`, one work-item for every N sets of inputs. Each folder below is one launch:\n"
+        "`evaluate_cases(uint sampler, in, uint count, out, values, lobes, grids)`, one work-item for every N sets of inputs; the last three buffers are `values.f32`,\n"
+        "`lobes.bin` and `grids.bin` here, the same for every launch. Each folder below is one launch:\n"
         "`in.f32` and `out.f32` are the buffers as the device read and wrote them, `low.f32` and `high.f32` the interval of every output, `value.f32` the right value\n"
         "computed in 50 digits; `launch.json` says sizes and layouts. All numbers are little-endian.\n\n"
         "To see it again, with any OpenCL 1.2:\n\n    cc -std=c99 replay.c -o replay -lOpenCL\n",
@@ -138,6 +139,9 @@ void write_bundle(const fs::path& folder, const SelftestResult& result, const st
         write_atomically(own / "kernel.cl", program.source);
         write_atomically(own / "build_options.txt", program.options);
     }
+    write_raw(folder / "values.f32", case_tables::values);
+    write_raw(folder / "lobes.bin", case_tables::lobes);
+    write_raw(folder / "grids.bin", case_tables::grids);
     write_atomically(folder / "replay.c", replay_program());
     write_atomically(folder / "selftest.json", report);
     write_atomically(folder / "README.md", readme(result, launches));

@@ -9,7 +9,6 @@
 #include <fstream>
 
 #include "device/kernel_source.hpp"
-#include "device/pair_stage.hpp"
 #include "film/atomic_file.hpp"
 #include "scene/scene_hash.hpp"
 #include "selftest/selftest.hpp"
@@ -27,7 +26,7 @@ std::uint64_t hash_of_check(const FirstUse& use)
     SceneHash hash;
     const auto add = [&](const auto& values) { hash.add({reinterpret_cast<const char*>(&values), sizeof values}); };
     hash.add(use.source ? *use.source : flattened_kernel("kernels/selftest/evaluate_cases.cl", {}));
-    hash.add(build_options({.lanes = use.lanes}));
+    hash.add(case_options(use.lanes, use.families));
     for (const GoldenSet<float>& set : golden_floats().sets) add(set.sampler), add(set.in), add(set.out);
     for (const GoldenMean<float>& mean : golden_floats().means) add(mean.in), add(mean.out);
     return hash.value();
@@ -104,7 +103,7 @@ SelftestReport check_on_first_use(const FirstUse& use)
     const SelftestStamp stamp = stamp_of(use);
     const std::string why = why_unusable(folder);
     if (why.empty() && text_of(folder / stamp.name) == stamp.text) return {.outcome = "passed before", .remembered_in = (folder / stamp.name).string()};
-    const SelftestResult result = run_selftest({.device = std::to_string(use.device.index), .lanes = {use.lanes}, .host = false, .source = use.source});
+    const SelftestResult result = run_selftest({.device = std::to_string(use.device.index), .lanes = {use.lanes}, .host = false, .families = use.families, .source = use.source});
     if (!result.passed()) refuse(use, result);
     SelftestReport report{.outcome = "passed", .seconds = result.seconds};
     for (const SelftestOutcome& outcome : result.outcomes) report.outputs += outcome.outputs;

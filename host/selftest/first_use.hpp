@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "device/case_evaluator.hpp"
 #include "device/device_list.hpp"
 #include "report/report.hpp"
 
@@ -11,10 +12,11 @@ namespace tyndall {
 struct FirstUse {
     DeviceInfo device;
     int lanes = 16;                     ///< that it is about to render with
+    std::uint32_t families = every_case_family;  ///< of cases: those that the render uses
     std::optional<std::string> source;  ///< a kernel text in place of the program's own: tests plant errors with it
 };
 
-/// Runs every row of the golden table on the device at this lane width, unless a stamp says that they passed there before with this platform, device, driver,
+/// Runs every row of these families of the golden table on the device at this lane width, unless a stamp says that they passed there before with this platform, device, driver,
 /// version and kernels. A stamp that cannot be kept is a sentence in the result's `warning`, nothing more. Throws DeviceError, which names the first case outside
 /// its bounds and what to do; BuildError.
 SelftestReport check_on_first_use(const FirstUse& use);

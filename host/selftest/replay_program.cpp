@@ -71,6 +71,20 @@ static cl_kernel build(cl_context context, cl_device_id device)
     return kernel;
 }
 
+/* The buffers that all launches share: arguments 4, 5 and 6. */
+static void set_tables(cl_context context, cl_kernel kernel)
+{
+    static const char *const names[3] = {"../../values.f32", "../../lobes.bin", "../../grids.bin"};
+    for (cl_uint i = 0; i < 3; ++i) {
+        size_t size;
+        cl_int error;
+        void *bytes = read_file(names[i], &size);
+        cl_mem buffer = clCreateBuffer(context, CL_MEM_READ_ONLY | CL_MEM_COPY_HOST_PTR, size, bytes, &error);
+        if (error) stop("clCreateBuffer", error);
+        clSetKernelArg(kernel, 4 + i, sizeof buffer, &buffer);
+    }
+}
+
 static int compare(const float *out, unsigned count, unsigned sets, int is_mean, double mean_low, double mean_high)
 {
     size_t size;
@@ -120,6 +134,7 @@ int main(int argc, char **argv)
     clSetKernelArg(kernel, 1, sizeof in_buffer, &in_buffer);
     clSetKernelArg(kernel, 2, sizeof(cl_uint), &arguments[1]);
     clSetKernelArg(kernel, 3, sizeof out_buffer, &out_buffer);
+    set_tables(context, kernel);
     size_t local = 8, global = (count / lanes + local - 1) / local * local;
     if ((error = clEnqueueNDRangeKernel(queue, kernel, 1, NULL, &global, &local, 0, NULL, NULL))) stop("clEnqueueNDRangeKernel", error);
     if ((error = clEnqueueReadBuffer(queue, out_buffer, CL_TRUE, 0, 4 * (size_t)count * sizeof(float), out, 0, NULL, NULL))) stop("clEnqueueReadBuffer", error);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 
-#include "device/case_evaluator.hpp"
 #include "tyndall/error.hpp"
 // The kernels' macros come after everything that is not theirs.
 // clang-format off
@@ -13,6 +12,9 @@
 // clang-format on
 
 namespace tyndall {
+
+static_assert(CASE_FAMILIES == every_case_family);
+
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -26,12 +28,18 @@ std::string lower(std::string_view text)
     return result;
 }
 
-std::vector<int> selected_rows(const std::vector<std::string>& only)
+bool among(int row, std::uint32_t families)
+{
+    const auto belongs = [&](const auto& entry) { return entry.row == row && (family_of(entry.sampler) & families); };
+    return std::ranges::any_of(golden_floats().sets, belongs) || std::ranges::any_of(golden_floats().means, belongs);
+}
+
+std::vector<int> selected_rows(const std::vector<std::string>& only, std::uint32_t families)
 {
     const auto rows = golden_rows();
     std::vector<int> selected;
     for (std::size_t i = 0; i < rows.size(); ++i)
-        if (only.empty() || std::ranges::any_of(only, [&](const std::string& part) { return lower(rows[i]).find(lower(part)) != std::string::npos; }))
+        if (among(static_cast<int>(i), families) && (only.empty() || std::ranges::any_of(only, [&](const std::string& part) { return lower(rows[i]).find(lower(part)) != std::string::npos; })))
             selected.push_back(static_cast<int>(i));
     if (selected.empty()) throw UsageError(fmt::format("--only \"{}\": no case is named so; `tyndall selftest` lists them all", fmt::join(only, ", ")));
     return selected;
@@ -90,7 +98,7 @@ bool SelftestResult::passed() const
 SelftestResult run_selftest(const SelftestRequest& request)
 {
     const Clock::time_point start = Clock::now();
-    const std::vector<int> rows = selected_rows(request.only);
+    const std::vector<int> rows = selected_rows(request.only, request.families);
     Device device(request.device);
     SelftestResult result{.device = device.info()};
     if (request.host) {
@@ -98,14 +106,24 @@ SelftestResult run_selftest(const SelftestRequest& request)
         run_on_host(result, rows, golden_doubles(), "host double");
     }
     const std::vector<int> lanes = request.lanes.empty() ? std::vector{device.info().default_lanes} : request.lanes;
-    for (const int width : lanes) run_on_device(result, rows, CaseEvaluator(device, width, request.source));
+    for (const int width : lanes) run_on_device(result, rows, CaseEvaluator(device, width, request.source, request.families));
     result.seconds = seconds_since(start);
     return result;
 }
 
+std::uint32_t family_of(unsigned sampler)
+{
+    if (sampler < SAMPLER_WARP_10) return CASES_PLAIN;
+    if (sampler < SAMPLER_MARGINAL_8X6) return CASES_PRODUCTS;
+    if (sampler < SAMPLER_PHASE_OF) return CASES_MARGINALS;
+    return sampler < SAMPLER_GRID ? CASES_LOBES : CASES_GRIDS;
+}
+
 std::string sampler_name(unsigned sampler)
 {
-    constexpr std::array names{"rod", "angle", "pair", "phase", "scatter", "distance", "surface", "linear", "balance", "ratio", "rod_pdf"};
+    constexpr std::array names{"rod", "angle", "pair", "phase", "scatter", "distance", "surface", "linear", "balance", "ratio", "rod_pdf", "warp_10", "warp_10t", "warp_6t", "warp_4t",
+                               "marginal_8x6", "marginal_4x4", "marginal_3x2", "rayleigh", "table", "both_ways", "blend", "spike", "warp_rayleigh", "warp_table",
+                               "warp_both_ways", "warp_blend", "warp_spike", "grid_pair", "grid_holes", "grid_sheared", "grid_coloured"};
     static_assert(names.size() == SAMPLER_COUNT);
     return sampler < names.size() ? names[sampler] : std::to_string(sampler);
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "device/case_evaluator.hpp"
 #include "device/device_list.hpp"
 #include "selftest/check_row.hpp"
 
@@ -14,6 +15,7 @@ struct SelftestRequest {
     std::vector<std::string> only;  ///< rows whose names hold one of these, case ignored; empty: all
     std::vector<int> lanes;         ///< of the device; empty: those that it would render with
     bool host = true;               ///< the host too
+    std::uint32_t families = every_case_family;  ///< rows of other families are left out
     std::optional<std::string> source;  ///< a kernel text in place of the program's own: tests plant errors with it
 };
 
@@ -42,6 +44,9 @@ struct SelftestResult {
 
 /// Runs it. Throws UsageError if `only` selects nothing; NoDeviceError, DeviceError, BuildError.
 SelftestResult run_selftest(const SelftestRequest& request);
+
+/// The family (one bit of CASE_FAMILIES) that a sampler belongs to.
+std::uint32_t family_of(unsigned sampler);
 
 /// Name of a sampler of kernels/selftest/evaluate.h: "rod", "pair", ...
 std::string sampler_name(unsigned sampler);

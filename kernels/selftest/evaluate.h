@@ -3,6 +3,7 @@
 #define EVALUATE_H
 
 #include "kernels/math/maths.h"
+#include "kernels/volumes/grid_walk.h"
 
 #define SAMPLER_ROD 0u        // q a b length xi                    -> potential v floor_ratio invert(v)
 #define SAMPLER_ANGLE 1u      // p a length xi                      -> u angle angle_over_distance invert(u)
@@ -15,7 +16,28 @@
 #define SAMPLER_BALANCE 8u    // p1 p2                              -> share of 1, share of 2
 #define SAMPLER_RATIO 9u      // optical depth, reference           -> transmittance_ratio
 #define SAMPLER_ROD_PDF 10u   // q a b length v                     -> pdf
-#define SAMPLER_COUNT 11u
+#define SAMPLER_WARP_10 11u   // p a b length g xi sigma            -> product / density, x, density: conditional of sampler paper
+#define SAMPLER_WARP_10T 12u  // the same with transmittance: of table
+#define SAMPLER_WARP_6T 13u   // six vertices: of paper-6 and table-4x4
+#define SAMPLER_WARP_4T 14u   // four: of table-3x2
+#define SAMPLER_MARGINAL_8X6 15u  // q a b light-length eye-length xi g sigma -> potential times distance, v, floor_ratio, invert(v): of table
+#define SAMPLER_MARGINAL_4X4 16u
+#define SAMPLER_MARGINAL_3X2 17u
+#define SAMPLER_PHASE_OF 18u  // in out                             -> phase_of the first of five phase functions with lobes; then the others
+#define SAMPLER_LOBE_WARP 23u // p a b length - xi                  -> product / density, x, density: for the first of them; then the others
+#define SAMPLER_GRID 28u      // from to                            -> depth, value, clamped value, depth of the last channel: of the first of four grids; then the others
+#define SAMPLER_COUNT 32u
+/// Which of them a build holds, as bits: what a render does not use need not be compiled before it.
+#define CASES_PLAIN 1u   // the first eleven
+#define CASES_PRODUCTS 2u
+#define CASES_MARGINALS 4u
+#define CASES_LOBES 8u
+#define CASES_GRIDS 16u
+#ifndef CASE_FAMILIES
+#define CASE_FAMILIES 31u
+#endif
+#define CASE_PHASES 5u
+#define CASE_COLOURED_GRID 3u  // the one with three channels
 
 typedef struct {
     real in[14];
@@ -23,6 +45,12 @@ typedef struct {
 typedef struct {
     real out[4];
 } Outputs;
+
+/// Records of kernels/selftest/case_tables.hpp.
+typedef struct {
+    PhaseTables phases;              ///< its values hold the voxels too
+    __global const GridRecord* grids;
+} CaseTables;
 
 PURE real3 input3(Inputs i, uint first) { return make_real3(i.in[first], i.in[first + 1u], i.in[first + 2u]); }
 
@@ -80,7 +108,37 @@ PURE Outputs evaluate_linear(Inputs i)
     return outputs(r, pdf_linear(i.in[0], i.in[1], r), invert_linear(i.in[0], i.in[1], r), R(0.0));
 }
 
-PURE Outputs evaluate(uint sampler, Inputs i)
+PURE Outputs evaluate_grid_case(Inputs i, uint number, CaseTables t)
+{
+    real3 from = input3(i, 0u), to = input3(i, 3u);
+    GridRecord grid = t.grids[number];
+    real length = length3(sub3(to, from)), depth = grid_optical_depth(grid, t.phases.values, from, to, length), last = depth;
+    if (number == CASE_COLOURED_GRID) last = grid_optical_depth3(grid, t.phases.values, from, to, length).z;
+    return outputs(depth, grid_value(grid, t.phases.values, from), grid_value_clamped(grid, t.phases.values, from), last);
+}
+
+#include "kernels/selftest/evaluate_guided.h"
+
+PURE Outputs evaluate_product(uint sampler, Inputs i)
+{
+    WarpShape shape = {sampler == SAMPLER_WARP_6T ? 6 : sampler == SAMPLER_WARP_4T ? 4 : PHASE_VERTICES, 1, sampler != SAMPLER_WARP_10};
+    return evaluate_warp(i, shape);
+}
+
+PURE Outputs evaluate_tabulated(uint sampler, Inputs i)
+{
+    TableShape large = {8, 6, 1}, middle = {4, 4, 1}, small = {3, 2, 1};
+    return evaluate_marginal(i, sampler == SAMPLER_MARGINAL_8X6 ? large : sampler == SAMPLER_MARGINAL_4X4 ? middle : small);
+}
+
+PURE Outputs evaluate_lobes(uint sampler, Inputs i, PhaseTables tables)
+{
+    if (sampler >= SAMPLER_LOBE_WARP) return evaluate_lobe_warp(i, case_phase(sampler - SAMPLER_LOBE_WARP), tables);
+    return outputs(phase_of(case_phase(sampler - SAMPLER_PHASE_OF), tables, input3(i, 0u), input3(i, 3u)), R(0.0), R(0.0), R(0.0));
+}
+
+/// The samplers that need nothing but inputs.
+PURE Outputs evaluate_plain(uint sampler, Inputs i)
 {
     if (sampler == SAMPLER_ROD) return evaluate_rod(i);
     if (sampler == SAMPLER_ANGLE) return evaluate_angle(i);
@@ -93,6 +151,16 @@ PURE Outputs evaluate(uint sampler, Inputs i)
     if (sampler == SAMPLER_BALANCE) return outputs(balance_weight(i.in[0], i.in[1]), balance_weight(i.in[1], i.in[0]), R(0.0), R(0.0));
     if (sampler == SAMPLER_RATIO) return outputs(transmittance_ratio(i.in[0], i.in[1]), R(0.0), R(0.0), R(0.0));
     return outputs(pdf_rod(input3(i, 0u), input3(i, 3u), input3(i, 6u), i.in[9], i.in[10]), R(0.0), R(0.0), R(0.0));
+}
+
+PURE Outputs evaluate(uint sampler, Inputs i, CaseTables t)
+{
+    if (sampler < SAMPLER_WARP_10) return evaluate_plain(sampler, i);
+    if ((CASE_FAMILIES & CASES_PRODUCTS) && sampler < SAMPLER_MARGINAL_8X6) return evaluate_product(sampler, i);
+    if ((CASE_FAMILIES & CASES_MARGINALS) && sampler >= SAMPLER_MARGINAL_8X6 && sampler < SAMPLER_PHASE_OF) return evaluate_tabulated(sampler, i);
+    if ((CASE_FAMILIES & CASES_LOBES) && sampler >= SAMPLER_PHASE_OF && sampler < SAMPLER_GRID) return evaluate_lobes(sampler, i, t.phases);
+    if ((CASE_FAMILIES & CASES_GRIDS) && sampler >= SAMPLER_GRID) return evaluate_grid_case(i, sampler - SAMPLER_GRID, t);
+    return outputs(R(0.0), R(0.0), R(0.0), R(0.0));
 }
 
 #endif

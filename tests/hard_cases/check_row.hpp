@@ -5,6 +5,8 @@
 #include <functional>
 
 #include "tests/hard_cases/angle_rows.hpp"
+#include "tests/hard_cases/grid_rows.hpp"
+#include "tests/hard_cases/guided_rows.hpp"
 #include "tests/hard_cases/pair_rows.hpp"
 #include "tests/hard_cases/rod_rows.hpp"
 #include "tests/hard_cases/scatter_rows.hpp"

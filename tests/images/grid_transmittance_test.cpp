@@ -51,11 +51,13 @@ double density(const std::vector<float>& voxels, const Vec3& p)
     return sum;
 }
 
-TEST(PlumeTransmittance, IsTheImageOfTheBlackPlume)
+class PlumeTransmittance : public testing::TestWithParam<Method> {};
+
+TEST_P(PlumeTransmittance, IsTheImageOfTheBlackPlume)
 {
     const Scene scene = load_scene(folder + "u_plume_transmittance.xml");
     const std::vector<float> voxels = plume_voxels();
-    const RenderOutcome outcome = render(scene, {.method = Method::path, .passes = 1, .seed = 5});
+    const RenderOutcome outcome = render(scene, {.method = GetParam(), .passes = 1, .seed = 5});
     const std::vector<Rgb> image = outcome.film.beauty();
     double darkest = 1;
     for (int y = 0; y < 64; y += 2)
@@ -73,5 +75,7 @@ TEST(PlumeTransmittance, IsTheImageOfTheBlackPlume)
         }
     EXPECT_LT(darkest, .05) << "there is smoke";
 }
+
+INSTANTIATE_TEST_SUITE_P(By, PlumeTransmittance, testing::Values(Method::vrl, Method::path), [](const auto& info) { return info.param == Method::vrl ? "vrl" : "path"; });
 
 }  // namespace

@@ -43,8 +43,18 @@ protected:
     }
     TemporaryFolder folder;
     Variable cache{"XDG_CACHE_HOME", folder.path().c_str()};
-    FirstUse use{.device = choose_device(""), .lanes = 8};
+    FirstUse use{.device = choose_device(""), .lanes = 8, .families = 1};  // compiled in half a second, all of them in two
 };
+
+TEST_F(FirstUseOfADevice, ChecksWhatARenderUsesAndTheRestWhenAnotherUsesIt)
+{
+    const SelftestReport plain = check_on_first_use(use);
+    EXPECT_EQ(check_on_first_use(use).outcome, "passed before");
+    use.families = every_case_family;
+    const SelftestReport all = check_on_first_use(use);
+    EXPECT_EQ(all.outcome, "passed");
+    EXPECT_GT(all.outputs, plain.outputs + 800) << "grids, lobes, conditionals and marginals";
+}
 
 TEST_F(FirstUseOfADevice, RunsOnceAndRemembers)
 {
