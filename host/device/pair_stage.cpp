@@ -6,7 +6,6 @@
 
 #include "device/device_state.hpp"
 #include "device/kernel_source.hpp"
-#include "device/packed_voxels.hpp"
 #include "kernels/shared/host_features.hpp"
 
 namespace tyndall {
@@ -38,7 +37,7 @@ struct PairStage::State {
     PairProgram program;
     cl::Kernel gather, sample, accumulate, tabulate_lights, tabulate_eyes;
     GrowingBuffer eyes{CL_MEM_READ_ONLY}, lights{CL_MEM_READ_ONLY}, media{CL_MEM_READ_ONLY}, containers{CL_MEM_READ_ONLY}, planes{CL_MEM_READ_ONLY};
-    GrowingBuffer lobes{CL_MEM_READ_ONLY}, phase_values{CL_MEM_READ_ONLY}, grids{CL_MEM_READ_ONLY}, voxels{CL_MEM_READ_ONLY}, packed_voxels{CL_MEM_READ_ONLY};
+    GrowingBuffer lobes{CL_MEM_READ_ONLY}, phase_values{CL_MEM_READ_ONLY}, grids{CL_MEM_READ_ONLY}, voxels{CL_MEM_READ_ONLY};
     GrowingBuffer eye_tables{CL_MEM_READ_WRITE}, light_tables{CL_MEM_READ_WRITE};
     GrowingBuffer sums{CL_MEM_READ_WRITE}, ledger{CL_MEM_READ_WRITE};
     std::array<Slot, 2> slots;
@@ -47,7 +46,7 @@ struct PairStage::State {
     PairTimings timings;
 
     bool has_grids() const { return (program.features & feature_bit::heterogeneous) != 0; }
-    std::size_t table_bytes() const { return table_nodes * (program.features & feature_bit::coloured_grids ? 3 : 1) * sizeof(float); }
+    std::size_t table_bytes() const { return (table_nodes * (program.features & feature_bit::coloured_grids ? 3 : 1) + 1) * sizeof(float); }
     std::uint32_t lanes() const { return static_cast<std::uint32_t>(program.lanes); }
     std::uint32_t pairs_in(const PairTile& tile) const { return tile.lights * program.samples; }
     std::size_t packet_count(const PairTile& tile) const { return std::size_t(tile.groups) * lanes() / SHADOW_PACKET_SIZE * pairs_in(tile); }
@@ -76,7 +75,6 @@ struct PairStage::State {
     {
         kernel.setArg(i++, media.get()), kernel.setArg(i++, containers.get()), kernel.setArg(i++, planes.get()), kernel.setArg(i++, container_count);
         kernel.setArg(i++, lobes.get()), kernel.setArg(i++, phase_values.get()), kernel.setArg(i++, grids.get()), kernel.setArg(i++, voxels.get());
-        kernel.setArg(i++, packed_voxels.get());
         return i;
     }
 
@@ -158,7 +156,6 @@ PairStage::PairStage(Device& device, const PairProgram& program, const MediaTabl
     state_->phase_values.upload(state_->device, bytes_of(tables.phase_values));
     state_->grids.upload(state_->device, bytes_of(tables.grids));
     state_->voxels.upload(state_->device, bytes_of(tables.voxels));
-    state_->packed_voxels.upload(state_->device, bytes_of(packed_voxels(tables)));
     state_->container_count = static_cast<std::uint32_t>(tables.containers.size());
     const std::vector<std::uint32_t> zero(4, 0);
     state_->ledger.upload(state_->device, bytes_of(zero));

@@ -35,7 +35,7 @@ std::string grid_transmittance(const RenderSettings& settings, const LayerPlan& 
     const std::uint32_t built = (plan.media_to_media ? masks.media_to_media : 0u) | (plan.media_to_surface ? masks.media_to_surface : 0u);
     if (!(built & feature_bit::heterogeneous)) return {};
     if (settings.transmittance == GridTransmittance::exact) return "exact: cell by cell for every pair; unbiased";
-    return "march: tables and a jittered march, with an exact correction for one pair in 32; unbiased, and a pass can hold negative values";
+    return "march: tables and a jittered march, with an exact correction for one pair in 64; unbiased, and a pass can hold negative values";
 }
 
 PairProgram pair_program(const Scene& scene, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes)

@@ -9,50 +9,69 @@
 /// waits by threads take one at a time.
 enum { PAIR_BATCH = LANES == 1 ? 1 : 8 };
 
-/// Where `count` <= PAIR_BATCH connections run, of the pairs with the numbers counter, counter + 1, ...: number / samples is the light.
-static inline void place_pairs(OnBoth* places, Eye eye, const EyeGroup* around, __global const Light* lights, Surroundings s, uint counter, uint count,
+/// The two numbers of a pair.
+PURE Random2 numbers_of_pair(Eye eye, uint counter)
+{
+    return SEQUENCE == SEQUENCE_SOBOL ? scrambled_sobol2(eye.key, counter) : random2(eye.key, counter);
+}
+
+/// Where `count` <= PAIR_BATCH connections run, of the pairs with the numbers counter, counter + 1, ...: number / samples is the light. What few pairs need
+/// has a loop of its own, so that it takes no registers from the others.
+PURE void place_pairs(OnBoth* places, Eye eye, const EyeGroup* around, __global const Light* lights, Surroundings s, uint counter, uint count,
                                uint samples)
 {
     OnLight on_light[PAIR_BATCH];
     real second[PAIR_BATCH];
-    uint by_matter = 0u;   // bits: drawn from the tables of what lies along the rays
+    uint by_matter = HETEROGENEOUS ? pairs_by_matter(around, s, lights, counter, count, samples) : 0u;
     for (uint i = 0; i < count; ++i) {
-        uint number = (counter + i) / samples;
-        Light light = lights[number];
-        Random2 xi = SEQUENCE == SEQUENCE_SOBOL ? scrambled_sobol2(eye.key, counter + i) : random2(eye.key, counter + i);
-        if (HETEROGENEOUS && draws_matter(around, s, light, number, counter + i)) {
-            by_matter |= 1u << i;
-            on_light[i] = find_light(eye, light, medium_of(s, light), matter_on_light(s, light, number, xi.first));
-        } else {
-            on_light[i] = place_light(eye, light, medium_of(s, light), xi.first);
-        }
-        second[i] = xi.second;
+        if (by_matter >> i & 1u) continue;
+        Light light = lights[(counter + i) / samples];
+        Random2 xi = numbers_of_pair(eye, counter + i);
+        on_light[i] = place_light(eye, light, medium_of(s, light), xi.first), second[i] = xi.second;
     }
     for (uint i = 0; i < count; ++i) {
+        if (by_matter >> i & 1u) continue;
         Light light = lights[(counter + i) / samples];
-        if (HETEROGENEOUS && (by_matter >> i & 1u)) places[i] = find_eye(eye, &around->table, light, medium_of(s, light), phase_tables(s), on_light[i], second[i]);
-        else places[i] = place_eye(eye, light, medium_of(s, light), phase_tables(s), on_light[i], second[i]);
+        places[i] = place_eye(eye, light, medium_of(s, light), phase_tables(s), on_light[i], second[i]);
+    }
+    for (uint i = 0; by_matter >> i != 0u; ++i) {
+        uint number = (counter + i) / samples;
+        if (by_matter >> i & 1u) places[i] = place_by_matter(eye, around, lights[number], s, number, numbers_of_pair(eye, counter + i));
     }
 }
 
 /// One sample of one light for LANES eyes, with everything but visibility.
-static inline Connection connect_pair(Eye eye, const EyeGroup* around, Light light, Surroundings s, OnBoth at, uint number, uint counter)
+PURE Connection connect_pair(Eye eye, const EyeGroup* around, Light light, Surroundings s, OnBoth at, uint number, uint counter)
 {
     if (HETEROGENEOUS) return connect_in_grids(eye, around, light, s, at, number, counter);
     MediumRecord medium = medium_of(s, light);
     Connection c = connect_eye(eye, light, medium, phase_tables(s), at, matter_to_eye(at), even_matter(at.v));
-    Leg leg = {c.from, sub3(c.to, c.from), c.length, R(0.0), 0u};
+    Leg leg = {c.from, sub3(c.to, c.from), c.length, march_shift((bits)(0u)), 0u};
     c.radiance = mul3(c.radiance, transmittance3(leg_depth(&around->facing, s, medium, leg)));
     return c;
 }
 
-/// The same with its ledger. Radiance that is not finite is counted (0: how many, 1 and 2: the first eye and counter) and taken out of the sum; pairs under
-/// the floor are counted (3) and stay.
-static inline Connection connect_counted(Eye eye, const EyeGroup* around, __global const Light* lights, Surroundings s, OnBoth at, uint samples,
-                                         uint vertex_limit, uint counter, __global uint* ledger)
+/// One sample of each pair of a batch, as place_pairs placed them, with everything but visibility.
+PURE void connect_pairs(Connection* connections, Eye eye, const EyeGroup* around, __global const Light* lights, Surroundings s, const OnBoth* places,
+                                 uint counter, uint count, uint samples)
 {
-    Light light = lights[counter / samples];
-    Connection c = connect_pair(eye, around, light, s, at, counter / samples, counter);
+    for (uint i = 0; i < count; ++i) {
+        uint number = (counter + i) / samples;
+        connections[i] = connect_pair(eye, around, lights[number], s, places[i], number, counter + i);
+    }
+    if (!HETEROGENEOUS) return;
+    if (TRANSMITTANCE == TRANSMITTANCE_EXACT) return;
+    uint corrected = corrected_pairs(around, counter, count);
+    for (uint i = 0; corrected >> i != 0u; ++i) {
+        uint number = (counter + i) / samples;
+        if (corrected >> i & 1u) connections[i].radiance = corrected_radiance(eye, around, lights[number], s, places[i], number, connections[i].radiance);
+    }
+}
+
+/// A connection's radiance, with its ledger. What is not finite is counted (0: how many, 1 and 2: the first eye and counter) and taken out of the sum; pairs
+/// under the floor are counted (3) and stay.
+PURE real3 counted_radiance(Eye eye, const EyeGroup* around, Light light, Connection c, uint vertex_limit, uint counter, __global uint* ledger)
+{
     if (DEPTH_LIMIT) {
         mask allowed = to_mask(eye.depth + light.depth + 2u <= vertex_limit);
         c.radiance = select3(make_real3(R(0.0), R(0.0), R(0.0)), c.radiance, allowed);
@@ -64,12 +83,12 @@ static inline Connection connect_counted(Eye eye, const EyeGroup* around, __glob
         if (atomic_add(&ledger[0], LANES - lanes) == 0u) ledger[1] = around->number * LANES, ledger[2] = counter;
         c.radiance = select3(make_real3(R(0.0), R(0.0), R(0.0)), c.radiance, finite);
     }
-    return c;
+    return c.radiance;
 }
 
 /// Running sums of one group: for c = r, g, b the lanes of `high`, then of `low`.
 typedef struct { LongSum r, g, b; } LongSum3;
-static inline LongSum3 load_sums(__global const float* sums, uint group)
+PURE LongSum3 load_sums(__global const float* sums, uint group)
 {
     LongSum3 s;
     s.r.high = load_lanes(sums, group * 6u), s.r.low = load_lanes(sums, group * 6u + 1u);
@@ -77,13 +96,13 @@ static inline LongSum3 load_sums(__global const float* sums, uint group)
     s.b.high = load_lanes(sums, group * 6u + 4u), s.b.low = load_lanes(sums, group * 6u + 5u);
     return s;
 }
-static inline void store_sums(LongSum3 s, __global float* sums, uint group)
+PURE void store_sums(LongSum3 s, __global float* sums, uint group)
 {
     store_lanes(s.r.high, group * 6u, sums), store_lanes(s.r.low, group * 6u + 1u, sums);
     store_lanes(s.g.high, group * 6u + 2u, sums), store_lanes(s.g.low, group * 6u + 3u, sums);
     store_lanes(s.b.high, group * 6u + 4u, sums), store_lanes(s.b.low, group * 6u + 5u, sums);
 }
-static inline LongSum3 add_block(LongSum3 s, real3 x)
+PURE LongSum3 add_block(LongSum3 s, real3 x)
 {
     s.r = add_to(s.r, x.x), s.g = add_to(s.g, x.y), s.b = add_to(s.b, x.z);
     return s;

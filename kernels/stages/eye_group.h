@@ -11,12 +11,13 @@ typedef struct {
     // Density grids, unspecified without them:
     MediaOfGroup media;
     OpticalTable table;      ///< what lies along the eye segments
+    real over_mass;          ///< of their tables
     uint key;                ///< of the first eye of the group of EYE_GROUP
     float depth;             ///< mean grey optical depth of the eye segments of the group of EYE_GROUP; 0 for points
 } EyeGroup;
 
 /// Mean of the optical depths of the EYE_GROUP eyes whose tables begin at `table`.
-static inline float mean_depth(Surroundings s, __global const EyeRecord* eyes, __global const float* table)
+PURE float mean_depth(Surroundings s, __global const EyeRecord* eyes, __global const float* table)
 {
     float sum = 0.0f;
     for (uint i = 0; i < EYE_GROUP; ++i) {
@@ -28,17 +29,19 @@ static inline float mean_depth(Surroundings s, __global const EyeRecord* eyes, _
     return sum / (3.0f * (float)EYE_GROUP);
 }
 
-static inline void find_group(EyeGroup* around, Surroundings s, Eye eye, __global const EyeRecord* eyes, uint group)
+PURE void find_group(EyeGroup* around, Surroundings s, Eye eye, __global const EyeRecord* eyes, uint group)
 {
     around->number = group;
     find_facing_planes(&around->facing, s, eye_position(eye));
     if (!HETEROGENEOUS) return;
     uint first = group * LANES / EYE_GROUP * EYE_GROUP;
-    around->key = eyes[first].key, around->depth = 0.0f;
+    around->key = eyes[first].key, around->depth = 0.0f, around->over_mass = R(0.0);
     if (!EYES_HAVE_TABLES) return;
     around->media = media_of_group(eye.medium_index);
     around->table.first = s.eye_tables + (size_t)first * TABLE_FLOATS, around->table.stride = EYE_GROUP;
     around->table.lane = lane_index(0) + (group * LANES - first);
+    around->table.per_length = intervals_per_length(eye_length(eye));
+    around->over_mass = gather_lanes(around->table.first + (TABLE_FLOATS - 1u) * EYE_GROUP, around->table.lane);
     around->depth = mean_depth(s, eyes + first, around->table.first);
 }
 

@@ -8,7 +8,7 @@ typedef struct {
     bits key, depth, medium_index;
 } Eye;
 
-static inline Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundings s)
+PURE Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundings s)
 {
 #define FIELD(name) load_field(&eyes->name, sizeof(EyeRecord) / 4, group)
 #define FIELD_BITS(name) load_field_bits(&eyes->name, sizeof(EyeRecord) / 4, group)
@@ -25,35 +25,36 @@ static inline Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundi
 
 typedef SurfaceRodSample OnLight;
 typedef SurfaceRodSample OnBoth;
-static inline OnLight place_light(Eye eye, Light light, MediumRecord medium, real xi) { return place_on_light_from_point(eye.geometry, light, xi); }
-static inline OnBoth place_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi) { return on_light; }
-static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnBoth at, Matter on_eye, Matter on_light)
+PURE OnLight place_light(Eye eye, Light light, MediumRecord medium, real xi) { return place_on_light_from_point(eye.geometry, light, xi); }
+PURE OnBoth place_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi) { return on_light; }
+PURE Connection connect_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnBoth at, Matter on_eye, Matter on_light)
 {
     return connect_point_at(eye.geometry, light, medium, tables, at, on_light);
 }
 
 /// Nothing lies along a point.
-static inline Matter matter_to_eye(OnBoth at) { return even_matter(R(0.0)); }
+PURE Matter matter_to_eye(OnBoth at) { return even_matter(R(0.0)); }
 
 // Density grids: the same functions as for segments, with nothing along the eye.
 
-static inline OnLight find_light(Eye eye, Light light, MediumRecord medium, real v) { return find_on_light_from_point(eye.geometry, light, v); }
-static inline OnBoth find_eye(Eye eye, const OpticalTable* table, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi) { return on_light; }
-static inline Passed passed_to_eye(Eye eye, const OpticalTable* table, OnBoth at)
+PURE OnLight find_light(Eye eye, Light light, MediumRecord medium, real v) { return find_on_light_from_point(eye.geometry, light, v); }
+PURE OnBoth find_eye(Eye eye, const OpticalTable* table, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi) { return on_light; }
+PURE Passed passed_to_eye(Eye eye, const OpticalTable* table, OnBoth at)
 {
     Passed none = {make_real3(R(0.0), R(0.0), R(0.0)), make_real3(R(0.0), R(0.0), R(0.0))};
     return none;
 }
-static inline OnBoth share_pair(Eye eye, const OpticalTable* table, Light light, OnBoth at, Passed to_eye, real other, real share)
+PURE OnBoth share_pair(Eye eye, real over_mass, Light light, OnBoth at, Passed to_eye, MatterDensity on_light, real share)
 {
-    return share_place(eye.geometry, light, at, other, share);
+    return share_place(eye.geometry, light, at, on_light.factor * transmittance(on_light.depth), share);
 }
-static inline Matter matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, OnBoth at, real3 path) { return even_matter(R(0.0)); }
-static inline Matter exact_matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, const OpticalTable* table, OnBoth at) { return even_matter(R(0.0)); }
+PURE Matter matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, OnBoth at, real3 path) { return even_matter(R(0.0)); }
+PURE Matter exact_matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, const OpticalTable* table, OnBoth at) { return even_matter(R(0.0)); }
 
 enum { EYES_HAVE_TABLES = 0 };
+PURE real eye_length(Eye eye) { return R(0.0); }
 
 /// Where its connections start.
-static inline real3 eye_position(Eye eye) { return eye.geometry.position; }
+PURE real3 eye_position(Eye eye) { return eye.geometry.position; }
 
 #endif

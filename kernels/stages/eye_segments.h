@@ -9,7 +9,7 @@ typedef struct {
     bits key, depth, medium_index;
 } Eye;
 
-static inline Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundings s)
+PURE Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundings s)
 {
 #define FIELD(name) load_field(&eyes->name, sizeof(EyeRecord) / 4, group)
 #define FIELD_BITS(name) load_field_bits(&eyes->name, sizeof(EyeRecord) / 4, group)
@@ -27,58 +27,59 @@ static inline Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundi
 
 typedef RodSample OnLight;
 typedef Places OnBoth;
-static inline OnLight place_light(Eye eye, Light light, MediumRecord medium, real xi) { return place_on_light(eye.geometry, eye.medium, light, medium, xi); }
-static inline OnBoth place_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi)
+PURE OnLight place_light(Eye eye, Light light, MediumRecord medium, real xi) { return place_on_light(eye.geometry, eye.medium, light, medium, xi); }
+PURE OnBoth place_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi)
 {
     return place_on_segment(eye.geometry, eye.medium, light, medium, on_light, tables, xi);
 }
-static inline Connection connect_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnBoth at, Matter on_eye, Matter on_light)
+PURE Connection connect_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnBoth at, Matter on_eye, Matter on_light)
 {
     return connect_segment_at(eye.geometry, eye.medium, light, medium, tables, at, on_eye, on_light);
 }
 
 /// What lies along an eye in homogeneous media.
-static inline Matter matter_to_eye(OnBoth at) { return even_matter(at.u); }
+PURE Matter matter_to_eye(OnBoth at) { return even_matter(at.u); }
 
 // Density grids.
 
 /// A place on the light that its table drew, and one on the eye that its own draws, weighed as if the light had placed them.
-static inline OnLight find_light(Eye eye, Light light, MediumRecord medium, real v) { return find_on_light(eye.geometry, eye.medium, light, medium, v); }
-static inline OnBoth find_eye(Eye eye, const OpticalTable* table, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi)
+PURE OnLight find_light(Eye eye, Light light, MediumRecord medium, real v) { return find_on_light(eye.geometry, eye.medium, light, medium, v); }
+PURE OnBoth find_eye(Eye eye, const OpticalTable* table, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi)
 {
     real u = sample_matter(*table, eye.medium.sigma_t, eye.geometry.length, 0u, xi);
     return find_on_segment(eye.geometry, eye.medium, light, medium, on_light, tables, u);
 }
 
-static inline Passed passed_to_eye(Eye eye, const OpticalTable* table, OnBoth at) { return passed(*table, at.u, eye.geometry.length); }
+PURE Passed passed_to_eye(Eye eye, const OpticalTable* table, OnBoth at) { return passed(*table, at.u); }
 
-/// The places with their weight under both ways of drawing; `other`: density of the table on the light.
-static inline OnBoth share_pair(Eye eye, const OpticalTable* table, Light light, OnBoth at, Passed to_eye, real other, real share)
+/// The places with their weight under both ways of drawing; `on_light`: density of the table on the light, over_mass of the eye's.
+PURE OnBoth share_pair(Eye eye, real over_mass, Light light, OnBoth at, Passed to_eye, MatterDensity on_light, real share)
 {
-    real total = table_depth(*table, eye.medium.sigma_t, (real)(float)TABLE_INTERVALS);
-    return share_places(eye.geometry, light, at, other * pdf_matter(to_eye, eye.medium.sigma_t, total, 0u), share);
+    MatterDensity on_eye = matter_density(to_eye, eye.medium.sigma_t, over_mass, 0u);
+    return share_places(eye.geometry, light, at, on_eye.factor * on_light.factor * transmittance(on_eye.depth + on_light.depth), share);
 }
 
 /// What scatters at the eye's end of the connection.
-static inline Matter matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, OnBoth at, real3 path)
+PURE Matter matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, OnBoth at, real3 path)
 {
-    Matter m = {path, scattering_of_group(s, media, along3(eye.geometry.origin, at.u, eye.geometry.direction), 0u)};
+    Matter m = {path, scattering_of_group(s, media, along3(eye.geometry.origin, at.u, eye.geometry.direction))};
     return m;
 }
 
 /// The same exactly: from the eye's table, with the interval of the place walked cell by cell.
-static inline Matter exact_matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, const OpticalTable* table, OnBoth at)
+PURE Matter exact_matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, const OpticalTable* table, OnBoth at)
 {
     EyeSegmentLanes g = eye.geometry;
     TableNode node = node_below(*table, at.u, g.length);
     real3 point = along3(g.origin, at.u, g.direction), from = along3(g.origin, node.x, g.direction);
-    Matter m = {add3(node.path, exact_path_of_group(s, media, from, scale3(g.direction, at.u - node.x), at.u - node.x)), scattering_of_group(s, media, point, 1u)};
+    Matter m = {add3(node.path, exact_path_of_group(s, media, from, scale3(g.direction, at.u - node.x), at.u - node.x)), scattering_of_group(s, media, point)};
     return m;
 }
 
 enum { EYES_HAVE_TABLES = 1 };
+PURE real eye_length(Eye eye) { return eye.geometry.length; }
 
 /// Where its connections start: all of a segment is inside the container whose medium it is in.
-static inline real3 eye_position(Eye eye) { return along3(eye.geometry.origin, R(0.5) * eye.geometry.length, eye.geometry.direction); }
+PURE real3 eye_position(Eye eye) { return along3(eye.geometry.origin, R(0.5) * eye.geometry.length, eye.geometry.direction); }
 
 #endif

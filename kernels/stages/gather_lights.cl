@@ -17,10 +17,12 @@ __kernel void gather_lights(__global const EyeRecord* eyes, uint first_group, ui
         uint end = min(block + LIGHT_BLOCK, first + count) * samples;
         for (uint pair = block * samples; pair < end; pair += PAIR_BATCH) {
             OnBoth places[PAIR_BATCH];
+            Connection connections[PAIR_BATCH];
             uint batch = min((uint)PAIR_BATCH, end - pair);
             place_pairs(places, eye, &around, lights, s, pair, batch, samples);
+            connect_pairs(connections, eye, &around, lights, s, places, pair, batch, samples);
             for (uint i = 0; i < batch; ++i)
-                partial = add3(partial, connect_counted(eye, &around, lights, s, places[i], samples, vertex_limit, pair + i, ledger).radiance);
+                partial = add3(partial, counted_radiance(eye, &around, lights[(pair + i) / samples], connections[i], vertex_limit, pair + i, ledger));
         }
         sum = add_block(sum, partial);
     }

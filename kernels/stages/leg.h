@@ -5,7 +5,7 @@
 #define MOST_PLANES 64     // of a container (host/scene/containers.cpp)
 
 /// Part of the segment from + t d, 0 <= t <= 1, that lies inside the container.
-static inline ClipInterval chord(__global const PlaneRecord* planes, ContainerRecord container, real3 from, real3 d)
+PURE ClipInterval chord(__global const PlaneRecord* planes, ContainerRecord container, real3 from, real3 d)
 {
     ClipInterval inside = {R(0.0), R(1.0)};
     for (uint i = 0; i < container.plane_count; ++i) {
@@ -24,7 +24,7 @@ typedef struct {
     real outside[MOST_PLANES];  ///< distance of the eye beyond the plane, 0 if inside
 } FacingPlanes;
 
-static inline void find_facing_planes(FacingPlanes* facing, Surroundings s, real3 from)
+PURE void find_facing_planes(FacingPlanes* facing, Surroundings s, real3 from)
 {
     facing->count = 0;
     if (!BOUNDARIES) return;
@@ -43,7 +43,7 @@ static inline void find_facing_planes(FacingPlanes* facing, Surroundings s, real
 
 /// Where the connection from + t d enters the only container: where the last facing plane is crossed. The largest of the ratios
 /// outside / approach is found by cross-multiplication; approach >= outside because the light lies inside (so the ratio is at most 1, also after rounding).
-static inline real enters_container(const FacingPlanes* facing, Surroundings s, real3 d)
+PURE real enters_container(const FacingPlanes* facing, Surroundings s, real3 d)
 {
     real most = R(0.0), over = R(1.0);
     for (uint i = 0; i < facing->count; ++i) {
@@ -60,21 +60,21 @@ static inline real enters_container(const FacingPlanes* facing, Surroundings s, 
 typedef struct {
     real3 from, d;
     real length;   ///< |d|
-    real jitter;   ///< of a march, in [0, 1)
-    uint exact;    ///< 1: cell by cell
+    MarchShift shift;  ///< of a march
+    uint exact;        ///< 1: cell by cell
 } Leg;
 
 /// Optical depth of the part enter <= t <= leave in one medium.
-static inline real3 piece_depth(Surroundings s, MediumRecord medium, Leg leg, real enter, real leave)
+PURE real3 piece_depth(Surroundings s, MediumRecord medium, Leg leg, real enter, real leave)
 {
     real3 sigma = make_real3((real)medium.sigma_t_r, (real)medium.sigma_t_g, (real)medium.sigma_t_b);
     if (!HETEROGENEOUS) return scale3(sigma, fmax(leave - enter, R(0.0)) * leg.length);
     if (TRANSMITTANCE == TRANSMITTANCE_EXACT || leg.exact) return mul3(sigma, exact_path(s, medium, leg.from, leg.d, leg.length, enter, leave));
-    return mul3(sigma, marched_path(s, medium, leg.from, leg.d, leg.length, enter, leave, leg.jitter));
+    return mul3(sigma, marched_path(s, medium, leg.from, leg.d, leg.length, enter, leave, leg.shift));
 }
 
 /// Optical depth of a connection to a light in `medium`, where it follows from the records; NONCONVEX_MEDIA leaves it to the host.
-static inline real3 leg_depth(const FacingPlanes* facing, Surroundings s, MediumRecord medium, Leg leg)
+PURE real3 leg_depth(const FacingPlanes* facing, Surroundings s, MediumRecord medium, Leg leg)
 {
     real3 depth = make_real3(R(0.0), R(0.0), R(0.0));
     if (NONCONVEX_MEDIA) return depth;

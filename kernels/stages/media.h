@@ -2,7 +2,7 @@
 #ifndef MEDIA_H
 #define MEDIA_H
 
-static inline MediumRecord medium_of(Surroundings s, Light light) { return s.media[MANY_MEDIA ? light.medium : 0u]; }
+PURE MediumRecord medium_of(Surroundings s, Light light) { return s.media[MANY_MEDIA ? light.medium : 0u]; }
 
 /// The media of a group of eyes, each once.
 typedef struct {
@@ -11,7 +11,7 @@ typedef struct {
     bits of_lane;
 } MediaOfGroup;
 
-static inline MediaOfGroup media_of_group(bits index)
+PURE MediaOfGroup media_of_group(bits index)
 {
     MediaOfGroup group;
     group.count = 1u, group.medium[0] = 0u, group.of_lane = (bits)(0u);
@@ -28,7 +28,7 @@ static inline MediaOfGroup media_of_group(bits index)
 }
 
 /// Their phase functions.
-static inline PhaseLanes load_phases(__global const MediumRecord* media, bits index)
+PURE PhaseLanes load_phases(__global const MediumRecord* media, bits index)
 {
     PhaseLanes lanes;
     lanes.count = 0u, lanes.has_lobes = 0u;
@@ -43,7 +43,7 @@ static inline PhaseLanes load_phases(__global const MediumRecord* media, bits in
 }
 
 /// Media chosen per lane.
-static inline MediumLanes load_media(__global const MediumRecord* media, bits index)
+PURE MediumLanes load_media(__global const MediumRecord* media, bits index)
 {
     MediumLanes lanes;
     lanes.phase = load_phases(media, index);

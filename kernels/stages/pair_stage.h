@@ -15,6 +15,7 @@
 #include "kernels/shared/eye_point.h"
 #include "kernels/shared/shadow_packet.h"
 #include "kernels/volumes/grid_walk.h"
+#include "kernels/volumes/grid_lookup.h"
 #include "kernels/volumes/grid_march.h"
 #include "kernels/volumes/optical_table.h"
 #include "LIGHT"

@@ -16,10 +16,13 @@ __kernel void sample_pairs(__global const EyeRecord* eyes, uint first_group, uin
     uint packet_row = local_group * LANES / SHADOW_PACKET_SIZE * pairs, offset = local_group * LANES % SHADOW_PACKET_SIZE;
     for (uint pair = 0; pair < pairs; pair += PAIR_BATCH) {
         OnBoth places[PAIR_BATCH];
+        Connection connections[PAIR_BATCH];
         uint batch = min((uint)PAIR_BATCH, pairs - pair), counter = first * samples + pair;
         place_pairs(places, eye, &around, lights, s, counter, batch, samples);
+        connect_pairs(connections, eye, &around, lights, s, places, counter, batch, samples);
         for (uint i = 0; i < batch; ++i) {
-            Connection c = connect_counted(eye, &around, lights, s, places[i], samples, vertex_limit, counter + i, ledger);
+            Connection c = connections[i];
+            c.radiance = counted_radiance(eye, &around, lights[(counter + i) / samples], c, vertex_limit, counter + i, ledger);
             __global float* contribution = contributions + (local_group * pairs + pair + i) * 3u * LANES;
             store_lanes(c.radiance.x, 0, contribution), store_lanes(c.radiance.y, 1, contribution), store_lanes(c.radiance.z, 2, contribution);
             store_shadow_segment(c, packets + packet_row + pair + i, offset);

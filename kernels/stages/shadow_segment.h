@@ -7,7 +7,7 @@
 
 /// Lanes that carry nothing, or whose ends are closer than their rounding, or that are not finite, are not asked: tfar = -1 (counts as visible: their
 /// contribution is what it is). So Embree never sees a coordinate that is not finite.
-static inline void store_shadow_segment(Connection c, __global ShadowPacket* packet, uint offset)
+PURE void store_shadow_segment(Connection c, __global ShadowPacket* packet, uint offset)
 {
     real3 d = sub3(c.to, c.from), zero = make_real3(R(0.0), R(0.0), R(0.0));
     real margin = ENDPOINT_ROUNDING / c.length;

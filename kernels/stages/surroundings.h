@@ -11,12 +11,11 @@ typedef struct {
     __global const float* phase_values;
     __global const GridRecord* grids;
     __global const float* voxels;
-    __global const uint* packed_voxels;  ///< the same for fast lookups (kernels/volumes/grid_march.h)
     __global const float* eye_tables;    ///< what lies along the eye segments, in groups of EYE_GROUP; empty without HETEROGENEOUS
     __global const float* light_tables;  ///< along the lights (kernels/volumes/optical_table.h)
 } Surroundings;
 
-static inline PhaseTables phase_tables(Surroundings s)
+PURE PhaseTables phase_tables(Surroundings s)
 {
     PhaseTables tables = {s.lobes, s.phase_values};
     return tables;
@@ -25,10 +24,9 @@ static inline PhaseTables phase_tables(Surroundings s)
 /// As a kernel takes them, in the order of the host's PairStage, and puts them together.
 #define SURROUNDINGS_PARAMETERS                                                                                                                \
     __global const MediumRecord *media, __global const ContainerRecord *containers, __global const PlaneRecord *planes, uint container_count, \
-        __global const PhaseLobeRecord *lobes, __global const float *phase_values, __global const GridRecord *grids, __global const float *voxels, \
-        __global const uint *packed_voxels
+        __global const PhaseLobeRecord *lobes, __global const float *phase_values, __global const GridRecord *grids, __global const float *voxels
 #define TABLES_PARAMETERS __global const float *eye_tables, __global const float *light_tables
-#define SURROUNDINGS {media, containers, planes, container_count, lobes, phase_values, grids, voxels, packed_voxels, eye_tables, light_tables}
-#define SURROUNDINGS_WITHOUT_TABLES {media, containers, planes, container_count, lobes, phase_values, grids, voxels, packed_voxels, 0, 0}
+#define SURROUNDINGS {media, containers, planes, container_count, lobes, phase_values, grids, voxels, eye_tables, light_tables}
+#define SURROUNDINGS_WITHOUT_TABLES {media, containers, planes, container_count, lobes, phase_values, grids, voxels, 0, 0}
 
 #endif

@@ -19,6 +19,8 @@ __kernel void tabulate_eyes(__global const EyeRecord* eyes, uint groups, SURROUN
             store_lanes(sum.b.high + sum.b.low, 0, table + 2u * TABLE_NODES * EYE_GROUP);
         }
         real3 from = along3(eye.geometry.origin, (real)(float)i * step, eye.geometry.direction);
-        sum = add_block(sum, exact_path_of_group(s, &own, from, d, step));
+        if (i < TABLE_INTERVALS) sum = add_block(sum, exact_path_of_group(s, &own, from, d, step));
     }
+    real3 path = make_real3(sum.r.high + sum.r.low, sum.g.high + sum.g.low, sum.b.high + sum.b.low);
+    store_lanes(over_mass(grey(eye.medium.sigma_t, path), 0u), 0, table + (TABLE_CHANNELS - 1u) * TABLE_NODES * EYE_GROUP);
 }

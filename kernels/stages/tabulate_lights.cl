@@ -16,6 +16,7 @@ __kernel void tabulate_lights(__global const Light* lights, uint count, SURROUND
         store_lanes(path.x, group, table + 1);
         if (COLOURED_GRIDS) store_lanes(path.y, group, table + TABLE_NODES + 1u), store_lanes(path.z, group, table + 2u * TABLE_NODES + 1u);
     }
+    float totals[3];
     for (uint channel = 0; channel < TABLE_CHANNELS; ++channel, table += TABLE_NODES) {
         float sum = 0.0f, lost = 0.0f;                       // long_sum.h, as one scalar
         table[0] = 0.0f;
@@ -24,5 +25,10 @@ __kernel void tabulate_lights(__global const Light* lights, uint count, SURROUND
             lost += (sum - (high - back)) + (x - back), sum = high;
             table[i] = sum + lost;
         }
+        totals[channel] = sum + lost;
     }
+    if (!COLOURED_GRIDS) totals[1] = totals[2] = totals[0];
+    float masses[LANES];
+    store_lanes(over_mass(grey(sigma_t_of(medium), make_real3((real)totals[0], (real)totals[1], (real)totals[2])), lies_even(light)), 0, masses);
+    *table = masses[0];
 }

@@ -8,7 +8,7 @@
 #define TABLE_INTERVALS 64u
 #define TABLE_NODES 65u
 #define TABLE_CHANNELS (COLOURED_GRIDS ? 3u : 1u)
-#define TABLE_FLOATS (TABLE_NODES * TABLE_CHANNELS)  // of one ray
+#define TABLE_FLOATS (TABLE_NODES * TABLE_CHANNELS + 1u)  // of one ray: the nodes of each channel, then over_mass
 
 /// Beyond this optical depth nothing is left: e^-80 = 2e-35 (and expm1 in float ends at 87).
 #define DEEPEST R(80.0)
@@ -18,36 +18,39 @@ typedef struct {
     __global const float* first;
     uint stride;
     bits lane;
+    real per_length;  ///< intervals per unit of length
 } OpticalTable;
+
+PURE real intervals_per_length(real length) { return (real)(float)TABLE_INTERVALS / fmax(length, REAL_SMALLEST); }
 
 /// What lies along the ray up to a point, per channel, in units of length: integral of the density, and its mean in the interval of the point.
 typedef struct { real3 path, density; } Passed;
 
 PURE real table_node(OpticalTable t, uint channel, real node) { return gather_lanes(t.first + channel * TABLE_NODES * t.stride, to_bits(node) * t.stride + t.lane); }
 
-/// Number of the interval of the distance x along a ray of the given length, 0 ... 63, whatever x is; `share` becomes where in it, 0 ... 1.
+/// Number of the interval of the distance x along a ray, 0 ... 63, whatever x is; `share` becomes where in it, 0 ... 1.
 typedef struct { real node, share; } TablePlace;
-PURE TablePlace table_place(real x, real length)
+PURE TablePlace table_place(OpticalTable t, real x)
 {
-    real at = fmin(fmax(x * ((real)(float)TABLE_INTERVALS / fmax(length, REAL_SMALLEST)), R(0.0)), (real)(float)TABLE_INTERVALS);
+    real at = fmin(fmax(x * t.per_length, R(0.0)), (real)(float)TABLE_INTERVALS);
     TablePlace p;
     p.node = fmin(to_real(to_whole(at)), (real)(float)(TABLE_INTERVALS - 1u));
     p.share = at - p.node;
     return p;
 }
 
-PURE Passed passed(OpticalTable t, real x, real length)
+PURE Passed passed(OpticalTable t, real x)
 {
-    TablePlace p = table_place(x, length);
-    real per_length = (real)(float)TABLE_INTERVALS / fmax(length, REAL_SMALLEST), before = table_node(t, 0u, p.node), rise = table_node(t, 0u, p.node + R(1.0)) - before;
+    TablePlace p = table_place(t, x);
+    real before = table_node(t, 0u, p.node), rise = table_node(t, 0u, p.node + R(1.0)) - before;
     Passed m;
-    m.path.x = fma(p.share, rise, before), m.density.x = rise * per_length;
+    m.path.x = fma(p.share, rise, before), m.density.x = rise * t.per_length;
     m.path.y = m.path.z = m.path.x, m.density.y = m.density.z = m.density.x;
     if (COLOURED_GRIDS) {
         before = table_node(t, 1u, p.node), rise = table_node(t, 1u, p.node + R(1.0)) - before;
-        m.path.y = fma(p.share, rise, before), m.density.y = rise * per_length;
+        m.path.y = fma(p.share, rise, before), m.density.y = rise * t.per_length;
         before = table_node(t, 2u, p.node), rise = table_node(t, 2u, p.node + R(1.0)) - before;
-        m.path.z = fma(p.share, rise, before), m.density.z = rise * per_length;
+        m.path.z = fma(p.share, rise, before), m.density.z = rise * t.per_length;
     }
     return m;
 }
@@ -59,7 +62,7 @@ typedef struct {
 } TableNode;
 PURE TableNode node_below(OpticalTable t, real x, real length)
 {
-    TablePlace p = table_place(x, length);
+    TablePlace p = table_place(t, x);
     TableNode n;
     n.x = fmin(p.node * (length / (real)(float)TABLE_INTERVALS), x);
     real path = table_node(t, 0u, p.node);
@@ -98,12 +101,19 @@ PURE real sample_matter(OpticalTable t, real3 sigma_t, real length, uint even, r
     return fmin((node + share) * (length / (real)(float)TABLE_INTERVALS), length);
 }
 
-/// Density of sample_matter where `m` was passed, per unit of length, of a ray whose whole grey depth is `total`; 0 where nothing scatters.
-PURE real pdf_matter(Passed m, real3 sigma_t, real total, uint even)
+/// 1 / the chance that light of the grey extinction is stopped on a ray of the grey depth `total`, or 1 / total if `even`: what densities are scaled by.
+PURE real over_mass(real total, uint even) { return R(1.0) / fmax(even ? total : absorbed(total), REAL_SMALLEST); }
+
+/// Density of sample_matter where `m` was passed, per unit of length: factor x exp(-depth). Apart, so that both places of a pair share one exponential. The
+/// factor is 0 where nothing scatters.
+typedef struct { real factor, depth; } MatterDensity;
+PURE MatterDensity matter_density(Passed m, real3 sigma_t, real over_mass, uint even)
 {
-    real extinction = grey(sigma_t, m.density), mass = even ? total : absorbed(total);
-    real here = even ? R(1.0) : transmittance(fmin(grey(sigma_t, m.path), DEEPEST));
-    return select(R(0.0), extinction * here / fmax(mass, REAL_SMALLEST), extinction > R(0.0));
+    real extinction = grey(sigma_t, m.density);
+    MatterDensity d;
+    d.factor = select(R(0.0), extinction * over_mass, extinction > R(0.0));
+    d.depth = even ? R(0.0) : fmin(grey(sigma_t, m.path), DEEPEST);
+    return d;
 }
 
 #endif

@@ -4,13 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <map>
 #include <string>
 
-#include "device/packed_voxels.hpp"
 #include "kernels/shared/host_features.hpp"
 
 namespace tyndall {
@@ -84,7 +82,8 @@ const GridWishes all_wishes[] = {{},
                                  {.extinction = 8},
                                  {.g = .6, .coloured = true, .albedo = true, .short_lights = true},
                                  {.extinction = 5, .albedo = true, .holes = true},
-                                 {.g = .4, .extinction = 3, .homogeneous_beside = true}};
+                                 {.g = .4, .extinction = 3, .homogeneous_beside = true},
+                                 {.extinction = 8, .short_lights = true, .holes = true}};
 
 std::string name_of(std::size_t wishes, EyeKind kind, int transmittance)
 {
@@ -242,20 +241,6 @@ TEST_P(GridPairsAtEveryLaneWidth, DegeneratePairsAreFinite)
         EXPECT_TRUE(std::isfinite(sum));
         EXPECT_EQ(stage.ledger().not_finite, 0u) << (kind == EyeKind::segments ? "segments" : "points") << ", eye " << stage.ledger().first_eye << " counter " << stage.ledger().first_counter;
     }
-}
-
-TEST(GridPairs, PackedVoxelsHoldANeighbourEach)
-{
-    MediaTables tables;
-    tables.grids.push_back({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 3, 1, 1, 0});
-    tables.grids.push_back({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 1, 3});
-    tables.voxels = {0, 1.f / 3, 2, 1e-30f, 7};
-    const auto packed = packed_voxels(tables);
-    const auto half = [&](std::size_t i, bool upper) { return double(std::bit_cast<float>(upper ? packed[i] & 0xffff0000u : packed[i] << 16)); };
-    for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(half(i, false), tables.voxels[i], tables.voxels[i] * 0x1p-9) << "itself, within half a spacing of 8 bits";
-    for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(half(i, true), half(i + 1, false)) << "its neighbour in x";
-    for (const std::size_t i : {2, 3, 4}) EXPECT_EQ(half(i, true), half(i, false)) << "a row ends with itself";
-    EXPECT_EQ(half(0, false), 0) << "nothing stays nothing";
 }
 
 TEST(GridPairs, APlantedErrorIsSeen)
