@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "bench/measure.hpp"
@@ -97,47 +98,71 @@ void pairs_per_second(benchmark::State& state, const Variant& variant, int lanes
 }
 
 struct Alone {
-    const char* name;
-    EyeKind eyes;
-    int sampler;
+    std::string name;
+    EyeKind eyes = EyeKind::segments;
+    int sampler = SAMPLER_PAPER_ISOTROPIC;
     double g = .55;
     int sequence = SEQUENCE_RANDOM;
     WorkloadWishes wishes{};
     int transmittance = TRANSMITTANCE_MARCH;
 };
 
-constexpr WorkloadWishes box{.g = 0, .camera = true, .in_box = true}, box_grid{.g = 0, .camera = true, .grid = 64, .in_box = true};
+/// Eye rays of a camera and lights, cut at the box that a grid of so many voxels fills.
+WorkloadWishes box(std::uint32_t voxels, std::uint32_t eyes = 2048) { return {.eyes = eyes, .camera = true, .grid = voxels, .in_box = true}; }
 
-/// Programs that the baseline has no counterpart of: Henyey-Greenstein, grey.
-const Alone without_baseline[] = {{"product_sampler", EyeKind::segments, SAMPLER_PAPER},
-                                  {"paper_6", EyeKind::segments, SAMPLER_PAPER_6},
-                                  {"table", EyeKind::segments, SAMPLER_TABLE},
-                                  {"table_4x4", EyeKind::segments, SAMPLER_TABLE_4X4},
-                                  {"table_3x2", EyeKind::segments, SAMPLER_TABLE_3X2},
-                                  {"table_3x2_isotropic", EyeKind::segments, SAMPLER_TABLE_3X2, 0},
-                                  {"paper_6_isotropic", EyeKind::segments, SAMPLER_PAPER_6, 0},
-                                  {"isotropic_sampler_sobol", EyeKind::segments, SAMPLER_PAPER_ISOTROPIC, .55, SEQUENCE_SOBOL},
-                                  {"surface_points", EyeKind::points, SAMPLER_PAPER_ISOTROPIC},
-                                  {"box_homogeneous", EyeKind::segments, SAMPLER_PAPER_ISOTROPIC, 0, SEQUENCE_RANDOM, box},
-                                  {"box_grid_march", EyeKind::segments, SAMPLER_PAPER_ISOTROPIC, 0, SEQUENCE_RANDOM, box_grid},
-                                  {"box_grid_exact", EyeKind::segments, SAMPLER_PAPER_ISOTROPIC, 0, SEQUENCE_RANDOM, box_grid, TRANSMITTANCE_EXACT},
-                                  {"box_homogeneous_points", EyeKind::points, SAMPLER_PAPER_ISOTROPIC, 0, SEQUENCE_RANDOM, box},
-                                  {"box_grid_march_points", EyeKind::points, SAMPLER_PAPER_ISOTROPIC, 0, SEQUENCE_RANDOM, box_grid}};
+/// Programs that the baseline has no counterpart of. Those with a grid are measured in turns with the same without it.
+std::vector<Alone> without_baseline()
+{
+    std::vector<Alone> all{{.name = "product_sampler", .sampler = SAMPLER_PAPER},
+                           {.name = "isotropic_sampler_sobol", .sequence = SEQUENCE_SOBOL},
+                           {.name = "surface_points", .eyes = EyeKind::points}};
+    for (const std::uint32_t voxels : {32u, 64u}) {
+        const std::string name = "grid_" + std::to_string(voxels);
+        all.push_back({.name = name + "_march", .g = 0, .wishes = box(voxels)});
+        all.push_back({.name = name + "_march_points", .eyes = EyeKind::points, .g = 0, .wishes = box(voxels)});
+    }
+    all.push_back({.name = "grid_64_exact", .g = 0, .wishes = box(64, 512), .transmittance = TRANSMITTANCE_EXACT});
+    const std::pair<const char*, int> samplers[] = {{"paper-isotropic", SAMPLER_PAPER_ISOTROPIC}, {"paper", SAMPLER_PAPER}, {"paper-6", SAMPLER_PAPER_6},
+                                                    {"table", SAMPLER_TABLE}, {"table-4x4", SAMPLER_TABLE_4X4}, {"table-3x2", SAMPLER_TABLE_3X2}};
+    for (const auto& [name, sampler] : samplers) all.push_back({.name = std::string("grid_64_sampler_") + name, .sampler = sampler, .wishes = box(64, 512)});
+    return all;
+}
+
+/// Its pairs on the device, ready to be gathered.
+struct Ready {
+    Workload work;
+    PairStage stage;
+
+    Ready(const Alone& what, const WorkloadWishes& wishes, int lanes)
+        : work(make_workload(wishes)), stage(device(), {.eyes = what.eyes, .features = features_of(wishes), .lanes = lanes, .sampler = what.sampler,
+                                                        .sequence = what.sequence, .transmittance = what.transmittance}, work.tables)
+    {
+        begin(stage, work, what.eyes);
+        gathered(stage, work);
+    }
+    double seconds() { return processor_seconds_of([&] { gathered(stage, work); }); }
+};
 
 void pairs_alone(benchmark::State& state, const Alone& what, int lanes)
 {
     WorkloadWishes wishes = what.wishes;
     wishes.g = what.g;
-    const Workload work = make_workload(wishes);
-    PairStage stage(device(), {.eyes = what.eyes, .features = features_of(wishes), .lanes = lanes, .sampler = what.sampler, .sequence = what.sequence,
-                               .transmittance = what.transmittance}, work.tables);
-    begin(stage, work, what.eyes);
-    gathered(stage, work);
+    Ready ours(what, wishes, lanes);
+    std::optional<Ready> even;
+    wishes.grid = 0;
+    if (what.wishes.grid != 0) even.emplace(what, wishes, lanes);
+    const double pairs = static_cast<double>(ours.work.pairs());
     for (auto _ : state) {
-        std::vector<double> seconds;
-        for (int i = 0; i < 9; ++i) seconds.push_back(processor_seconds_of([&] { gathered(stage, work); }));
+        std::vector<double> seconds, even_seconds;
+        for (int i = 0; i < 5; ++i) {
+            seconds.push_back(ours.seconds());
+            if (even) even_seconds.push_back(even->seconds());
+        }
         state.SetIterationTime(median(seconds));
-        state.counters["pairs_per_second"] = static_cast<double>(work.pairs()) / median(seconds);
+        state.counters["pairs_per_second"] = pairs / median(seconds);
+        if (!even) continue;
+        state.counters["homogeneous_pairs_per_second"] = pairs / median(even_seconds);
+        state.counters["ratio_to_homogeneous"] = median(seconds) / median(even_seconds);
     }
 }
 
@@ -163,7 +188,7 @@ int main(int argc, char** argv)
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     benchmark::AddCustomContext("device", device().info().platform + ": " + device().info().name + ", driver " + device().info().driver);
     for (const Variant& variant : variants) at_every_width(&pairs_per_second, variant);
-    for (const Alone& alone : without_baseline) at_every_width(&pairs_alone, alone);
+    for (const Alone& alone : without_baseline()) at_every_width(&pairs_alone, alone);
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
 }

@@ -3,7 +3,7 @@
 #   bash bench/run.sh [OUT]          OUT: bench/results unless given
 #   BUILD=folder bash bench/run.sh   takes the programs of that build folder instead of building
 #   REPETITIONS=3 bash bench/run.sh  quicker; 7 unless given
-#   ONLY="pairs render" ...          renews only these results: pairs shadow_1_core shadow_2_cores build render effects cold_start prediction
+#   ONLY="pairs render" ...          renews only these results: pairs transmittance shadow_1_core shadow_2_cores build render effects cold_start prediction
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
 out=${1:-$repository_root/bench/results}
@@ -30,6 +30,7 @@ measure() {
 }
 
 measure pairs pairs
+measure transmittance transmittance
 measure shadow_1_core shadow --cores=1
 [[ $(nproc) -lt 2 ]] || measure shadow_2_cores shadow --cores=2
 measure build build

@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <string>
 
 #include "kernels/shared/host_features.hpp"
@@ -90,27 +89,22 @@ std::string name_of(std::size_t wishes, EyeKind kind, int transmittance)
     return "wishes " + std::to_string(wishes) + (kind == EyeKind::segments ? ", segments, " : ", points, ") + (transmittance == TRANSMITTANCE_EXACT ? "exact" : "march");
 }
 
-/// Calls check(wishes, kind, transmittance) for all of them.
-template <typename Check>
-void for_all(const Check& check)
-{
-    for (std::size_t i = 0; i < std::size(all_wishes); ++i)
-        for (const EyeKind kind : {EyeKind::segments, EyeKind::points})
-            for (const int transmittance : {TRANSMITTANCE_MARCH, TRANSMITTANCE_EXACT}) check(i, kind, transmittance);
-}
+class GridPairsOfEveryKind : public ::testing::TestWithParam<std::size_t> {};
+INSTANTIATE_TEST_SUITE_P(GridPairs, GridPairsOfEveryKind, ::testing::Range(std::size_t(0), std::size(all_wishes)));
 
-TEST(GridPairs, TheirMeanIsTheExactTransport)
+TEST_P(GridPairsOfEveryKind, TheirMeanIsTheExactTransport)
 {
-    std::map<std::pair<std::size_t, EyeKind>, std::vector<double>> oracles;
-    for_all([&](std::size_t i, EyeKind kind, int transmittance) {
-        const RandomPairs pairs = grid_pairs(all_wishes[i]);
-        std::vector<double>& oracle = oracles[{i, kind}];
-        if (oracle.empty()) oracle = testing::grid_oracle(pairs, kind);
-        const std::uint32_t samples = 1000;
-        PairStage stage(device(), program(kind, all_wishes[i], 16, transmittance, samples), pairs.tables);
-        expect_unbiased(estimate(stage, pairs, kind, samples), oracle, name_of(i, kind, transmittance));
-        EXPECT_EQ(stage.ledger().not_finite, 0u);
-    });
+    constexpr std::uint32_t samples = 1000;
+    const GridWishes& wishes = all_wishes[GetParam()];
+    const RandomPairs pairs = grid_pairs(wishes);
+    for (const EyeKind kind : {EyeKind::segments, EyeKind::points}) {
+        const std::vector<double> oracle = testing::grid_oracle(pairs, kind);
+        for (const int transmittance : {TRANSMITTANCE_MARCH, TRANSMITTANCE_EXACT}) {
+            PairStage stage(device(), program(kind, wishes, 16, transmittance, samples), pairs.tables);
+            expect_unbiased(estimate(stage, pairs, kind, samples), oracle, name_of(GetParam(), kind, transmittance));
+            EXPECT_EQ(stage.ledger().not_finite, 0u);
+        }
+    }
 }
 
 /// Largest difference, relative to the larger of the sum and a typical sum: contributions of both signs make small sums of large terms.
