@@ -30,7 +30,7 @@ TEST_P(ShippedScene, TakesItsDepthFromTheCommandLine)
     EXPECT_EQ(load_scene(file, {.definitions = {{"max_depth", "3"}}}).max_depth, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::Values("fruit_juice", "cornell_fog", "fog_and_slit", "six_vrls", "glossy_medium", "backlit_smoke"),
+INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::Values("fruit_juice", "cornell_fog", "fog_and_slit", "six_vrls", "glossy_medium", "backlit_smoke", "plume"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(ShippedScenes, NothingBlocksAConnectionInTheFruitJuice)
@@ -74,4 +74,13 @@ TEST(ShippedScenes, BoardsBlockConnectionsToTheGroundAndNoneInTheSmoke)
     EXPECT_EQ(features.media_to_surface, feature_bit::anisotropic | feature_bit::boundaries | feature_bit::occluders);
     ASSERT_EQ(features.containers.size(), 1u);
     EXPECT_EQ(features.containers.front().planes.size(), 18u);
+}
+
+TEST(ShippedScenes, NothingButDensityStandsInTheWayInThePlume)
+{
+    const SceneFeatures features = features_of(shipped("plume"));
+    EXPECT_EQ(features.media_to_media, feature_bit::heterogeneous | feature_bit::anisotropic);
+    EXPECT_EQ(features.media_to_surface, feature_bit::heterogeneous | feature_bit::anisotropic | feature_bit::boundaries);
+    ASSERT_EQ(features.containers.size(), 1u);
+    EXPECT_EQ(features.containers.front().planes.size(), 6u);
 }

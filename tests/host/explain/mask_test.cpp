@@ -70,7 +70,7 @@ TEST_P(Mask, EverySupersetGivesTheSameImage)
 
 INSTANTIATE_TEST_SUITE_P(Of, Mask,
                          testing::Values("scenes/cornell_fog/scene.xml", "scenes/fog_and_slit/scene.xml", "scenes/fruit_juice/scene.xml", "scenes/six_vrls/scene.xml",
-                                         "scenes/glossy_medium/scene.xml", "scenes/backlit_smoke/scene.xml",
+                                         "scenes/glossy_medium/scene.xml", "scenes/backlit_smoke/scene.xml", "scenes/plume/scene.xml",
                                          "tests/images/scenes/a_cornell_iso.xml", "tests/images/scenes/b_juice_spot.xml", "tests/images/scenes/i_bounded_fog.xml",
                                          "tests/images/scenes/d_plume_iso.xml"),
                          [](const auto& info) {

@@ -34,6 +34,7 @@ TEST(Programs, PerShippedScene)
     EXPECT_EQ(programs_of(shipped("fog_and_slit")), 3u);
     EXPECT_EQ(programs_of(shipped("glossy_medium")), 2u);
     EXPECT_EQ(programs_of(shipped("backlit_smoke")), 3u);  // gather_lights for segments, sample_pairs and accumulate_pairs for points
+    EXPECT_EQ(programs_of(shipped("plume")), 5u);          // gather_lights and tabulate_lights for both, tabulate_eyes for segments
 }
 
 TEST(Programs, NoneForPathTracingAndNoDeviceForLayersWithoutVirtualLights)
