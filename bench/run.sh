@@ -3,7 +3,7 @@
 #   bash bench/run.sh [OUT]          OUT: bench/results unless given
 #   BUILD=folder bash bench/run.sh   takes the programs of that build folder instead of building
 #   REPETITIONS=3 bash bench/run.sh  quicker; 7 unless given
-#   ONLY="pairs render" ...          renews only these results: pairs transmittance shadow_1_core shadow_2_cores build render effects cold_start prediction
+#   ONLY="pairs render" ...          renews only these results: pairs transmittance shadow_1_core shadow_2_cores build render variance effects cold_start prediction
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
 out=${1:-$repository_root/bench/results}
@@ -39,6 +39,14 @@ if wanted render; then
   python3 -B "$repository_root/bench/render.py" "$build/tyndall" "$repository_root/scenes/fruit_juice/scene.xml" "$repetitions" >"$raw/render.json"
 fi
 python3 -B "$repository_root/bench/summarise.py" "$raw" "$out"
+if wanted variance; then
+  say "measuring variance"
+  "$build/bench/variance" 300 400 >"$raw/variance.json"
+  times=$raw/pairs.json
+  [[ -e $times ]] || times=$out/variance/variance.json  # the times of an earlier run
+  [[ -e $times ]] || { say "variance needs the times of pairs: ONLY=\"pairs variance\""; exit 1; }
+  python3 -B "$repository_root/bench/variance.py" "$raw/variance.json" "$times" "$out/shadow_1_core.json" "$out/variance"
+fi
 mkdir -p "$out/effects"
 if wanted effects; then
   say "measuring effects"

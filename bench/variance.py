@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """variance.py VARIANCE.json PAIRS.json SHADOW.json OUT: tables and a figure of what bench/variance.cpp printed, with the time of a sample from `pairs` (Google Benchmark's JSON,
-16 lanes, one core) and of a shadow segment from bench/results/shadow_1_core.json. Writes OUT/variance.json, .md and .svg."""
+16 lanes, one core; or an earlier OUT/variance.json, whose times are taken again) and of a shadow segment from bench/results/shadow_1_core.json. Writes OUT/variance.json, .md and .svg."""
 import json
 import os
 import statistics
@@ -13,7 +13,10 @@ LOBES = {"paper-isotropic": "henyey_greenstein_grey", "paper": "product_sampler"
 def nanoseconds(path):
     """{benchmark: ns per pair at 16 lanes}."""
     with open(path, encoding="utf-8") as file:
-        entries = json.load(file)["benchmarks"]
+        data = json.load(file)
+    if "nanoseconds" in data:
+        return data["nanoseconds"]
+    entries = data["benchmarks"]
     rates = {}
     for entry in entries:
         if "/lanes:16" in entry["name"] and entry.get("run_type", "iteration") == "iteration":
@@ -51,6 +54,21 @@ def efficiency(data, shadow):
     return value
 
 
+def crossing(data, shadow):
+    """Per asymmetry and sampler: variance x time of paper-isotropic over its own, geometric mean over the extinctions; above 1 it wins."""
+    math = __import__("math")
+    names, rows = ["paper", "paper-6"], ["| g | paper | paper-6 | paper, with a shadow segment | paper-6, with a shadow segment |\n|---|---|---|---|---|"]
+    for g in sorted({c["g"] for c in data["crossing"]}):
+        cells = []
+        for segment in (0, shadow):
+            price = lambda n, c: c["samplers"][n]["variance"] * (time_of(data, n, c) + segment)
+            for name in names:
+                logs = [math.log(price("paper-isotropic", c) / price(name, c)) for c in data["crossing"] if c["g"] == g]
+                cells.append(f"{math.exp(statistics.mean(logs)):.2f}")
+        rows.append(f"| {g:g} | " + " | ".join(cells) + " |")
+    return "\n## Where the product begins to win\n\nVariance × time of `paper-isotropic` over that of the sampler, mean over extinctions .1, 1 and 4; above 1 the sampler wins in single pairs.\n\n" + "\n".join(rows) + "\n"
+
+
 def figure(data):
     names = [n for n in data["columns"][0]["samplers"] if ", 4 " not in n]
     colours = ["#7a869a", "#3b5b92", "#5a8fd0", "#3f9b8a", "#b3392f", "#d9822b", "#e0b03c"]
@@ -83,6 +101,7 @@ def main():
     text += table(data, lambda n, c: f"{c['samplers'][n]['variance']:.2g} ± {c['samplers'][n]['standard_error']:.1g}", "Variance over squared mean")
     text += table(data, efficiency(data, 0), "The same times nanoseconds per sample, nothing occludes")
     text += table(data, efficiency(data, shadow), f"The same with a shadow segment of {shadow:.0f} ns per sample")
+    text += crossing(data, shadow)
     text += "\nNanoseconds per sample, 16 lanes, one core: " + ", ".join(f"{k} {v}" for k, v in sorted(data["nanoseconds"].items())) + ".\n"
     for name, content in (("json", json.dumps(data, indent=1) + "\n"), ("md", text), ("svg", figure(data))):
         with open(os.path.join(out, f"variance.{name}"), "w", encoding="utf-8") as file:

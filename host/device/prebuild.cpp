@@ -27,16 +27,20 @@ std::vector<PairProgram> everyday_programs(int lanes)
         programs.push_back({.eyes = eyes, .features = mask, .lanes = lanes, .sampler = SAMPLER_PAPER_ISOTROPIC});
         if (eyes == EyeKind::segments && (mask & feature_bit::anisotropic)) programs.push_back({.eyes = eyes, .features = mask, .lanes = lanes, .sampler = SAMPLER_PAPER});
     };
-    for (const std::uint32_t mask : subsets_of(feature_bit::anisotropic | feature_bit::coloured | feature_bit::occluders)) {
+    const auto add_both = [&](std::uint32_t mask) {
         add(EyeKind::segments, mask);
         for (const std::uint32_t boundary : {0u, feature_bit::boundaries + 0u}) add(EyeKind::points, mask | boundary);
-    }
+    };
+    for (const std::uint32_t mask : subsets_of(feature_bit::anisotropic | feature_bit::coloured | feature_bit::occluders)) add_both(mask);
+    for (const std::uint32_t mask : subsets_of(feature_bit::anisotropic | feature_bit::occluders)) add_both(mask | feature_bit::heterogeneous);
     return programs;
 }
 
 void prebuild(Device& device, const PairProgram& program)
 {
-    PairStage stage(device, program, {.media = {MediumRecord{}}, .containers = {}, .planes = {}});
+    MediumRecord nothing{};
+    nothing.density_grid = nothing.albedo_grid = NO_GRID;
+    PairStage stage(device, program, {.media = {nothing}, .containers = {}, .planes = {}});
     const std::vector<std::byte> eyes(eye_alignment * sizeof(EyeSegment)), lights(256);  // larger than any one light's record
     stage.begin(eyes, eye_alignment, lights, 0);
     const PairTile tile{0, stage.groups(), 0, 1};

@@ -6,8 +6,8 @@
 
 namespace tyndall {
 
-/// Programs of scenes with any mix of anisotropic and coloured media and occluders, in one container or without bounds, with long lights and every length
-/// of path, for both kinds of eye and the given lane width.
+/// Programs of scenes with any mix of anisotropic and coloured media and occluders, and with a grey density grid in place of colour, in one container or without bounds,
+/// with long lights and every length of path, for both kinds of eye and the given lane width; samplers as `auto` chooses them.
 std::vector<PairProgram> everyday_programs(int lanes);
 
 /// Builds the program and runs it once on nothing: some drivers finish the compilation only there.

@@ -38,10 +38,10 @@ std::string grid_transmittance(const RenderSettings& settings, const LayerPlan& 
     return "march: tables and a jittered march, with an exact correction for one pair in 64; unbiased, and a pass can hold negative values";
 }
 
-PairProgram pair_program(const Scene& scene, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes)
+PairProgram pair_program(const LayerPlan& plan, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes)
 {
     const std::uint32_t features = kind == EyeKind::segments ? masks.media_to_media : masks.media_to_surface;
-    int sampler = kind == EyeKind::segments ? choose_sampler(scene, settings.sampler).sampler : SAMPLER_PAPER_ISOTROPIC;  // points are the same program for every sampler
+    int sampler = kind == EyeKind::segments ? plan.sampler : SAMPLER_PAPER_ISOTROPIC;  // points are the same program for every sampler
     if (sampler == SAMPLER_PAPER && !(features & feature_bit::anisotropic)) sampler = SAMPLER_PAPER_ISOTROPIC;    // and so are these two
     return {.eyes = kind,
             .features = features,
@@ -52,13 +52,13 @@ PairProgram pair_program(const Scene& scene, const RenderSettings& settings, Eye
             .transmittance = settings.transmittance == GridTransmittance::exact ? TRANSMITTANCE_EXACT : TRANSMITTANCE_MARCH};
 }
 
-std::uint32_t case_families(const Scene& scene, const RenderSettings& settings, const LayerPlan& plan, const BuildMasks& masks)
+std::uint32_t case_families(const LayerPlan& plan, const RenderSettings& settings, const BuildMasks& masks)
 {
     constexpr std::uint32_t plain = 1, products = 2, marginals = 4, lobes = 8, grids = 16;
     std::uint32_t families = plain, built = 0;
     if (plan.media_to_media) {
         built |= masks.media_to_media;
-        const int sampler = pair_program(scene, settings, EyeKind::segments, masks, 1).sampler;
+        const int sampler = pair_program(plan, settings, EyeKind::segments, masks, 1).sampler;
         if (sampler != SAMPLER_PAPER_ISOTROPIC) families |= products;
         if (sampler >= SAMPLER_TABLE) families |= marginals;
     }

@@ -20,9 +20,9 @@ BuildMasks build_masks(const SceneFeatures& features, const LayerPlan& plan, con
 std::string grid_transmittance(const RenderSettings& settings, const LayerPlan& plan, const BuildMasks& masks);
 
 /// The program for the connections of one kind of eye.
-PairProgram pair_program(const Scene& scene, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes);
+PairProgram pair_program(const LayerPlan& plan, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes);
 
 /// The families of golden cases (kernels/selftest/evaluate.h) whose mathematics the render's kernels hold.
-std::uint32_t case_families(const Scene& scene, const RenderSettings& settings, const LayerPlan& plan, const BuildMasks& masks);
+std::uint32_t case_families(const LayerPlan& plan, const RenderSettings& settings, const BuildMasks& masks);
 
 }  // namespace tyndall

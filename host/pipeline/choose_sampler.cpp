@@ -4,18 +4,19 @@
 
 #include <cmath>
 
+#include "kernels/shared/host_features.hpp"
 #include "kernels/shared/records.hpp"
 #include "scene/text.hpp"
 
 namespace tyndall {
 namespace {
 
-/// |g|; of a blend the root mean square over its parts, so that forward and backward lobes do not cancel.
-double unevenness(const PhaseFunction& phase)
+/// g^2; of a blend the mean over its parts, so that forward and backward lobes do not cancel.
+double squared_unevenness(const PhaseFunction& phase)
 {
     double square = phase.parts.empty() ? phase.g * phase.g : 0;
     for (const PhaseFunction& part : phase.parts) square += part.weight * part.g * part.g;
-    return std::sqrt(square);
+    return square;
 }
 
 int asked_for(Sampler wanted)
@@ -30,19 +31,24 @@ int asked_for(Sampler wanted)
     }
 }
 
-constexpr double product_wins_from = .5;  ///< unevenness
+/// Least |g| from which the product wins at equal time: measured crossings, with a shadow segment for every connection and without.
+constexpr double wins_with_shadow_segments = .35, wins_without = .55;
 
 }  // namespace
 
-ChosenSampler choose_sampler(const Scene& scene, Sampler wanted)
+ChosenSampler choose_sampler(const Scene& scene, const SceneFeatures& features, Sampler wanted)
 {
     if (wanted != Sampler::automatic) return {asked_for(wanted), "asked for"};
+    const bool shadowed = features.media_to_media & feature_bit::occluders;
+    const double from = shadowed ? wins_with_shadow_segments : wins_without;
+    const char* reason = shadowed ? "connections ask shadow segments" : "nothing stands between media";
     const Medium* most = nullptr;
     for (const Medium& medium : scene.media)
-        if (!most || unevenness(medium.phase) > unevenness(most->phase)) most = &medium;
-    if (!most || unevenness(most->phase) < product_wins_from)
-        return {SAMPLER_PAPER_ISOTROPIC, fmt::format("no medium scatters more unevenly than |g| = {:g}, so the angle alone is drawn", product_wins_from)};
-    return {SAMPLER_PAPER, fmt::format("medium {} scatters with |g| = {:.2g}: from {:g} on the product of phase functions pays", in_quotes(most->name), unevenness(most->phase), product_wins_from)};
+        if (!most || squared_unevenness(medium.phase) > squared_unevenness(most->phase)) most = &medium;
+    if (!most || squared_unevenness(most->phase) < from * from)
+        return {SAMPLER_PAPER_ISOTROPIC, fmt::format("no medium scatters as unevenly as |g| = {:g}, from where on the product of phase functions pays if {}, so the angle alone is drawn", from, reason)};
+    return {SAMPLER_PAPER, fmt::format("medium {} scatters with |g| = {:.2g}: from {:g} on the product of phase functions pays if {}", in_quotes(most->name),
+                                       std::sqrt(squared_unevenness(most->phase)), from, reason)};
 }
 
 std::string sampler_name(int sampler)

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "scene/scene.hpp"
+#include "scene/scene_features.hpp"
 #include "tyndall/settings.hpp"
 
 namespace tyndall {
@@ -12,8 +13,9 @@ struct ChosenSampler {
     std::string why;
 };
 
-/// The settings' own, or by rule: the product of phase functions where a medium scatters so unevenly that it wins at equal time (host/docs/performance.md).
-ChosenSampler choose_sampler(const Scene& scene, Sampler wanted);
+/// The settings' own, or by rule: the product of phase functions where a medium scatters so unevenly that it wins at equal time, which it does sooner where connections
+/// ask shadow segments (host/docs/performance.md). The scene's own features decide, not the mask that kernels are built with.
+ChosenSampler choose_sampler(const Scene& scene, const SceneFeatures& features, Sampler wanted);
 
 /// As --sampler calls it.
 std::string sampler_name(int sampler);

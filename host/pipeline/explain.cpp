@@ -61,8 +61,8 @@ Explanation explain(const Scene& scene, const RenderSettings& settings)
     e.width = scene.camera.crop_width, e.height = scene.camera.crop_height, e.passes = settings.passes, e.seconds = settings.seconds;
     e.lanes = plan.virtual_lights() ? settings.lanes ? settings.lanes : 16 : 0, e.lights = plan.virtual_lights() ? lights : 0;
     e.effects = effect_reports(features), e.layers = plan.reports;
-    if (plan.media_to_media) add_kernels("media_to_media", pair_program(scene, settings, EyeKind::segments, masks, e.lanes), e.kernels);
-    if (plan.media_to_surface) add_kernels("media_to_surface", pair_program(scene, settings, EyeKind::points, masks, e.lanes), e.kernels);
+    if (plan.media_to_media) add_kernels("media_to_media", pair_program(plan, settings, EyeKind::segments, masks, e.lanes), e.kernels);
+    if (plan.media_to_surface) add_kernels("media_to_surface", pair_program(plan, settings, EyeKind::points, masks, e.lanes), e.kernels);
     e.grids = grid_transmittance(settings, plan, masks);
     e.memory = estimate_memory(scene, settings, plan, masks, e.lights);
     e.savings = savings_of(features, plan, masks, expected_pairs(e, settings, settings.method == Method::vrl ? lights : 0));

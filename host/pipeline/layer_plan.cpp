@@ -55,12 +55,11 @@ Technique technique_for(Layer layer, Method method)
 }
 
 /// How places are drawn in a layer of virtual ray lights.
-void name_sampler(Layer layer, const Scene& scene, const RenderSettings& settings, LayerReport& report)
+void name_sampler(Layer layer, const ChosenSampler& chosen, LayerReport& report)
 {
     if (layer == Layer::media_to_surface) report.sampler = "cosine", report.sampler_why = "along the light by the angle at the surface and its cosine, in closed form";
     if (layer != Layer::media_to_media) return;
-    ChosenSampler chosen = choose_sampler(scene, settings.sampler);
-    report.sampler = sampler_name(chosen.sampler), report.sampler_why = std::move(chosen.why);
+    report.sampler = sampler_name(chosen.sampler), report.sampler_why = chosen.why;
 }
 
 }  // namespace
@@ -76,7 +75,8 @@ LayerSet LayerPlan::rendered() const
 
 LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const RenderSettings& settings)
 {
-    LayerPlan plan;
+    const ChosenSampler chosen = choose_sampler(scene, features, settings.sampler);
+    LayerPlan plan{.sampler = chosen.sampler};
     for (std::size_t l = 0; l < layer_count; ++l) {
         const Layer layer = static_cast<Layer>(l);
         const Technique technique = technique_for(layer, settings.method);
@@ -91,7 +91,7 @@ LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const R
         plan.reports.push_back(report);
         if (report.skipped) continue;
         const bool vrl = settings.method == Method::vrl;
-        if (vrl) name_sampler(layer, scene, settings, plan.reports.back());
+        if (vrl) name_sampler(layer, chosen, plan.reports.back());
         if (vrl && layer == Layer::media_to_media) plan.media_to_media = true;
         else if (vrl && layer == Layer::media_to_surface) plan.media_to_surface = true;
         else if (vrl && layer == Layer::single) plan.single = true;

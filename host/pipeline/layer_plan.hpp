@@ -12,6 +12,7 @@ struct LayerPlan {
     bool media_to_media = false, media_to_surface = false;  ///< by virtual lights
     bool single = false;                                    ///< by equi-angular light sampling
     LayerSet path_traced;                                   ///< by the path tracer
+    int sampler = 0;                                        ///< of media_to_media: kernels/shared/samplers.h
     std::vector<LayerReport> reports;                       ///< one per layer, in order
 
     LayerSet rendered() const;

@@ -81,7 +81,7 @@ void PassRenderer::prepare_lights()
     const auto build = [&](bool wanted, EyeKind kind) { return wanted ? make_connector(kind) : nullptr; };
     auto selftest = std::async(std::launch::async, [&] {
         if (!settings_.selftest) return SelftestReport{.outcome = "skipped"};
-        return check_on_first_use({.device = device_->info(), .lanes = lanes_of(settings_, *device_), .families = case_families(scene_, settings_, plan_, masks_)});
+        return check_on_first_use({.device = device_->info(), .lanes = lanes_of(settings_, *device_), .families = case_families(plan_, settings_, masks_)});
     });
     auto to_points = std::async(std::launch::async, build, plan_.media_to_surface, EyeKind::points);
     auto to_segments = std::async(std::launch::async, build, plan_.media_to_media, EyeKind::segments);
@@ -97,7 +97,7 @@ void PassRenderer::prepare_lights()
 std::unique_ptr<PassRenderer::Connector> PassRenderer::make_connector(EyeKind kind)
 {
     const int lanes = lanes_of(settings_, *device_);
-    PairProgram program = pair_program(scene_, settings_, kind, masks_, lanes);
+    PairProgram program = pair_program(plan_, settings_, kind, masks_, lanes);
     program.light = std::string(technique_.name), program.light_bytes = static_cast<std::uint32_t>(technique_.record_bytes);
     const std::uint32_t limit = max_depth_ < 0 ? 0xffffffffu : static_cast<std::uint32_t>(std::max(max_depth_ - 1, 0));
     const ConnectSettings connect{.features = program.features, .samples = program.samples, .vertex_limit = limit, .tile_pairs = settings_.tile_pairs, .lanes = lanes};

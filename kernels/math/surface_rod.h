@@ -55,8 +55,9 @@ PURE SurfaceRodFrame surface_rod_frame(real3 p, real3 b, real length, real3 n)
     return f;
 }
 
-/// Integral of cos / w^2 over the part, in 1 / scale (eq. 21).
-PURE real surface_rod_integral(SurfaceRodFrame f) { return f.k * (f.c0 + f.c1); }
+/// Integral of cos / w^2 over the part, in 1 / scale (eq. 21). Over an arc of directions it is at most 2 / D; the product exceeds that only where rounding decides on which side
+/// of the surface point the light runs, and its cosines are no longer any (eq. 21a).
+PURE real surface_rod_integral(SurfaceRodFrame f) { return fmin(f.k * (f.c0 + f.c1), R(2.0) / sqrt(f.D2)); }
 
 /// Offset from an end (distance r, position t along the light from the foot, inwards positive, cosine c) after the share `x` of the integral, eqs. 23-25.
 typedef struct { real offset, accuracy; } SurfaceRodOffset;

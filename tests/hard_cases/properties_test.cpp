@@ -59,6 +59,11 @@ TYPED_TEST(EveryPair, OfLightAndSurfaceIsFiniteAndOnTheLight)
         const auto [v, weight, pdf, xi] = evaluate_on_host<TypeParam>(SAMPLER_SURFACE, in);
         RC_ASSERT(v >= 0 && v <= in[6]);
         RC_ASSERT(std::isfinite(weight) && weight >= 0);
+        // At most 2 / D, also of a light through the surface point: D is known to 4 epsilon |p| and counts as no less than epsilon^(3/2) of the scale, half of |p| or more (eq. 21a).
+        const double e = std::numeric_limits<TypeParam>::epsilon(), p = std::hypot(double(in[0]), double(in[1]), double(in[2]));
+        const double D = std::hypot(double(in[1]) * in[5] - double(in[2]) * in[4], double(in[2]) * in[3] - double(in[0]) * in[5], double(in[0]) * in[4] - double(in[1]) * in[3]);
+        const double size = std::max({std::abs(double(in[0])), std::abs(double(in[1])), std::abs(double(in[2])), e * in[6], 0x1p-100});
+        RC_ASSERT(double(weight) * std::max(D - 4 * e * p, e * std::sqrt(e) * size / 2) <= 2 * (1 + 8 * e));
         RC_ASSERT(pdf >= 0);
         RC_ASSERT(xi >= 0 && xi <= 1);
     }));

@@ -55,12 +55,31 @@ TEST(Explain, SaysWhyEveryLayerIsRenderedAsItIs)
     EXPECT_EQ(line_of(uneven, Layer::media_to_media).sampler, "paper");
     EXPECT_THAT(line_of(uneven, Layer::media_to_media).sampler_why, AllOf(HasSubstr("\"fog\""), HasSubstr("0.6")));
     EXPECT_THAT(to_text(uneven), HasSubstr("sampler paper: medium"));
+    EXPECT_THAT(line_of(uneven, Layer::media_to_media).sampler_why, HasSubstr("nothing stands between"));
     RenderSettings table;
     table.sampler = Sampler::table;
     EXPECT_EQ(line_of(explained(box_of_fog(), table), Layer::media_to_media).sampler, "table");
     RenderSettings path;
     path.method = Method::path;
     EXPECT_EQ(line_of(explained(box_of_fog(), path), Layer::media_to_media).sampler, "") << "a path tracer connects nothing";
+}
+
+/// Between the two crossings shadow segments decide; the mask that kernels are built with does not.
+TEST(Explain, ChoosesTheSamplerByWhatStandsBetweenMedia)
+{
+    const std::string mild = R"(<phase type="hg"><float name="g" value="-.4"/></phase>)", block = shape("cube", "block", small, white);
+    const Scene open = scene_of({medium("fog", ".5", ".8", mild), lamp(), container("cube", "box", here)}),
+                blocked = scene_of({medium("fog", ".5", ".8", mild), lamp(), container("cube", "box", here), block});
+    EXPECT_EQ(line_of(explained(open), Layer::media_to_media).sampler, "paper-isotropic");
+    EXPECT_EQ(line_of(explained(blocked), Layer::media_to_media).sampler, "paper");
+    EXPECT_THAT(line_of(explained(blocked), Layer::media_to_media).sampler_why, HasSubstr("shadow segments"));
+    RenderSettings all;
+    all.features = test::every_feature;
+    EXPECT_EQ(line_of(explained(open, all), Layer::media_to_media).sampler, "paper-isotropic");
+    const Scene nearly = scene_of({medium("fog", ".5", ".8", R"(<phase type="hg"><float name="g" value=".54"/></phase>)"), lamp(), container("cube", "box", here)}),
+                just = scene_of({medium("fog", ".5", ".8", R"(<phase type="hg"><float name="g" value=".55"/></phase>)"), lamp(), container("cube", "box", here)});
+    EXPECT_EQ(line_of(explained(nearly), Layer::media_to_media).sampler, "paper-isotropic");
+    EXPECT_EQ(line_of(explained(just), Layer::media_to_media).sampler, "paper");
 }
 
 TEST(Explain, NamesTheElementOfEveryEffectThatWasFound)
