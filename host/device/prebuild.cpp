@@ -27,12 +27,14 @@ std::vector<PairProgram> everyday_programs(int lanes)
         programs.push_back({.eyes = eyes, .features = mask, .lanes = lanes, .sampler = SAMPLER_PAPER_ISOTROPIC});
         if (eyes == EyeKind::segments && (mask & feature_bit::anisotropic)) programs.push_back({.eyes = eyes, .features = mask, .lanes = lanes, .sampler = SAMPLER_PAPER});
     };
-    const auto add_both = [&](std::uint32_t mask) {
+    for (const std::uint32_t mask : subsets_of(feature_bit::anisotropic | feature_bit::coloured | feature_bit::occluders)) {
         add(EyeKind::segments, mask);
         for (const std::uint32_t boundary : {0u, feature_bit::boundaries + 0u}) add(EyeKind::points, mask | boundary);
-    };
-    for (const std::uint32_t mask : subsets_of(feature_bit::anisotropic | feature_bit::coloured | feature_bit::occluders)) add_both(mask);
-    for (const std::uint32_t mask : subsets_of(feature_bit::anisotropic | feature_bit::occluders)) add_both(mask | feature_bit::heterogeneous);
+    }
+    for (const std::uint32_t mask : subsets_of(feature_bit::anisotropic | feature_bit::occluders)) {
+        add(EyeKind::segments, mask | feature_bit::heterogeneous);
+        add(EyeKind::points, mask | feature_bit::heterogeneous | feature_bit::boundaries);  // grids lie in containers
+    }
     return programs;
 }
 
