@@ -127,25 +127,31 @@ TEST(HardCases, Row34ANumberThatIsNotOneIsCountedAndPoisonsNothing)
 {
     auto pairs = testing::random_pairs({.eyes = 16, .lights = 30});
     Device device;
-    PairStage stage(device, {.lanes = 4}, pairs.tables);
     testing::set_flux(pairs, 7, std::numeric_limits<float>::infinity());
-    for (const double x : testing::gathered(stage, pairs, EyeKind::segments, 100, 256)) EXPECT_TRUE(std::isfinite(x));
-    EXPECT_EQ(stage.ledger().not_finite, 16u);
+    for (const int lanes : {1, 4, 8, 16}) {
+        PairStage stage(device, {.lanes = lanes}, pairs.tables);
+        for (const double x : testing::gathered(stage, pairs, EyeKind::segments, 100, 256)) EXPECT_TRUE(std::isfinite(x));
+        EXPECT_EQ(stage.ledger().not_finite, 16u) << lanes << " lanes";
+    }
 }
 
 TEST(HardCases, Row35BuildOptionsAreFixedAndAThousandSumsAgreeWithTheHost)
 {
-    const std::string options = build_options({.features = 3, .lanes = 16});
-    for (const char* forbidden : {"fast", "unsafe", "mad", "denorms", "finite"}) EXPECT_EQ(options.find(forbidden), std::string::npos) << options;
     const auto pairs = testing::random_pairs({.eyes = 1008, .lights = 16, .g = .3, .coloured = true});
+    const auto golden = testing::host_sums(pairs, EyeKind::segments);
     Device device;
-    PairStage stage(device, {.features = feature_bit::anisotropic | feature_bit::coloured, .lanes = 16}, pairs.tables);
-    const auto ours = testing::gathered(stage, pairs, EyeKind::segments, 1000, 256), golden = testing::host_sums(pairs, EyeKind::segments);
-    std::vector<double> errors;
-    for (std::size_t i = 0; i < ours.size(); ++i) errors.push_back(std::abs(ours[i] / golden[i] - 1));
-    std::sort(errors.begin(), errors.end());
-    EXPECT_LT(errors[errors.size() / 2], 1e-6);
-    EXPECT_LT(errors.back(), 1e-3) << "pairs that nearly cross magnify the rounding of their ends (row 4)";
+    for (const int lanes : {1, 4, 8, 16}) {
+        const PairProgram program{.features = feature_bit::anisotropic | feature_bit::coloured, .lanes = lanes};
+        const std::string options = build_options(program);
+        for (const char* forbidden : {"fast", "unsafe", "mad", "denorms", "finite"}) EXPECT_EQ(options.find(forbidden), std::string::npos) << options;
+        PairStage stage(device, program, pairs.tables);
+        const auto ours = testing::gathered(stage, pairs, EyeKind::segments, 1000, 256);
+        std::vector<double> errors;
+        for (std::size_t i = 0; i < ours.size(); ++i) errors.push_back(std::abs(ours[i] / golden[i] - 1));
+        std::sort(errors.begin(), errors.end());
+        EXPECT_LT(errors[errors.size() / 2], 1e-6) << lanes << " lanes";
+        EXPECT_LT(errors.back(), 1e-3) << lanes << " lanes: pairs that nearly cross magnify the rounding of their ends (row 4)";
+    }
 }
 
 TEST(HardCases, Row36AnyNumberOfPixelsLightsAndTilesGivesTheSameBytes)
