@@ -71,11 +71,18 @@ Reference make_and_write_reference(const CompareCommand& command, const Scene& s
     return std::move(made.reference);
 }
 
-ComparisonAbout about(const CompareCommand& command, const Scene& scene, const std::vector<Measurement>& measurements)
+bool limited_by_the_reference(const Judgement& judgement)
+{
+    return std::ranges::any_of(judgement.summaries, [](const Summary& s) { return std::ranges::any_of(s.at_times, &ErrorAt::at_most); });
+}
+
+ComparisonAbout about(const CompareCommand& command, const Scene& scene, const std::vector<Measurement>& measurements, const Judgement& judgement)
 {
     ComparisonAbout about{.version = version(), .scene_file = scene.file, .layer = command.layers.empty() ? "image" : "", .scene_hash = scene.hash, .warnings = scene.warnings};
     for (const std::string& layer : command.layers) about.layer += (about.layer.empty() ? "" : " + ") + layer;
     about.command = command.invocation;
+    if (limited_by_the_reference(judgement))
+        about.warnings.emplace_back("some errors lie at the reference's own noise, so only bounds on them are known; give it more --reference-time, or another unbiased --reference-method");
     for (const Measurement& m : measurements) about.render_commands.push_back(render_line(command, m.candidate.settings));
     return about;
 }
@@ -85,10 +92,17 @@ void write_page(const CompareCommand& command, const Comparison& comparison)
     const std::string json = to_json(comparison);
     write_atomically(command.output / "comparison.json", json);
     write_atomically(command.output / "index.html", comparison_page(to_page_data(comparison)));
+    if (limited_by_the_reference(comparison.judgement)) fmt::print(stderr, "warning: {}\n", comparison.about.warnings.back());
     fmt::print(stderr, "{}", to_table(comparison));
     if (command.json) fmt::print("{}", json);
     else
         for (const char* file : {"index.html", "comparison.json"}) fmt::print("{}\n", (command.output / file).string());
+}
+
+void say_how_long(const CompareCommand& command, std::size_t candidates)
+{
+    const double reference = command.reference.empty() ? *command.reference_seconds : 0, runs = static_cast<double>(candidates) * command.repeats * command.times.back();
+    fmt::print(stderr, "{} to compare, {} runs of each: about {}\n", candidates, command.repeats, readable_seconds(reference + runs));
 }
 
 double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -107,6 +121,7 @@ int compare_methods(CompareCommand& command)
         if (settings.lights == 0) settings.lights = default_lights(scene.camera, command.times.back());  // what `render --time` of the longest time would take
         return render(scene, settings, progress);
     };
+    say_how_long(command, candidates.size());
     const InterruptGuard interrupt;
     const Reference reference = command.reference.empty() ? make_and_write_reference(command, scene, render_scene, interrupt) : load_reference(command, scene);
     for (const auto& warning : reference.warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
@@ -115,7 +130,7 @@ int compare_methods(CompareCommand& command)
     const auto measurements = measure(candidates, reference, plan, render_scene, {[&] { return interrupt.signal() != 0; }, note, seconds_now});
     if (measurements.front().runs.empty()) throw Error("stopped before every method had one run, so there is nothing to write");
     const Judgement judgement = judge(measurements, reference, plan.times);
-    write_page(command, {about(command, scene, measurements), reference, plan, measurements, judgement});
+    write_page(command, {about(command, scene, measurements, judgement), reference, plan, measurements, judgement});
     return interrupt.signal() ? exit_after_signal + interrupt.signal() : static_cast<int>(ExitCode::ok);
 }
 

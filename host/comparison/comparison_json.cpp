@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -28,6 +29,8 @@ Json error_at(const ErrorAt& at)
 
 Json bias_of(const Summary& s)
 {
+    Json z = Json::array();
+    for (const double block : s.blocks.z) z.push_back(std::isfinite(block) ? Json(std::round(100 * block) / 100) : Json(nullptr));
     return {{"relative", number(s.bias.relative)},
             {"half_width", number(s.bias.half_width)},
             {"z", number(s.bias.z)},
@@ -36,7 +39,8 @@ Json bias_of(const Summary& s)
             {"lit_blocks", s.blocks.lit_blocks},
             {"block_chi_squared", number(s.blocks.chi_squared)},
             {"largest_block_z", number(s.blocks.largest_z)},
-            {"largest_block_relative", number(s.blocks.largest_relative)}};
+            {"largest_block_relative", number(s.blocks.largest_relative)},
+            {"block_z", z}};
 }
 
 Json outliers_of(const Summary& s, int width)
@@ -96,7 +100,8 @@ Json candidate_of(const Comparison& c, std::size_t i)
     const Measurement& m = c.measurements[i];
     const Summary& s = c.judgement.summaries[i];
     Json json{{"name", m.candidate.name}, {"method", name(m.candidate.settings.method)}, {"render_command", c.about.render_commands.at(i)}};
-    json["device"] = m.runs.front().report.device;
+    const Report& report = m.runs.front().report;
+    json["device"] = report.device, json["unbiased"] = std::ranges::all_of(report.layers, &LayerReport::unbiased);
     json["runs"] = runs_of(m), json["snapshots"] = snapshots_of(m, c.reference);
     json["curve"] = json["at_times"] = Json::array();
     for (const ErrorAt& at : s.curve) json["curve"].push_back(error_at(at));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace tyndall {
 
@@ -42,11 +43,13 @@ BlockBias block_bias(const BlockStatistics& image, std::span<const MeanEstimate>
     double mean = 0;
     for (const MeanEstimate& block : reference) mean += block.value / static_cast<double>(reference.size());
     BlockBias result;
+    result.z.assign(reference.size(), std::numeric_limits<double>::quiet_NaN());
     double squares = 0, beyond = 0;
     for (std::size_t b = 0; b < reference.size(); ++b) {
         if (!(reference[b].value > lit_share * mean)) continue;
         const Bias bias = bias_of(image.blocks()[b].estimate(), reference[b]);
         const double counted = std::min(std::abs(bias.z), largest_counted);
+        result.z[b] = bias.z;
         ++result.lit_blocks, squares += counted * counted, beyond += bias.significant();
         if (std::abs(bias.z) > std::abs(result.largest_z)) result.largest_z = bias.z, result.largest_relative = bias.relative, result.largest_block = static_cast<int>(b);
     }

@@ -37,6 +37,7 @@ struct BlockBias {
     double largest_z = 0;     ///< with its sign
     double largest_relative = 0;  ///< value / reference - 1 of that block
     int largest_block = 0;        ///< its number
+    std::vector<double> z;        ///< of every block, row by row; NaN of those that are not lit
 };
 
 /// Block by block; the reference's blocks with their variances (exact: variance 0, infinite degrees), as many as the image has.

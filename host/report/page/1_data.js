@@ -103,3 +103,16 @@ function pixelsOf(image, reference, mode, exposure, range, meanOfReference) {
   }
   return result;
 }
+
+/** Deviates of the blocks of 8 x 8 pixels, as colours from -blockRange to blockRange; no deviates: nothing differs. */
+const blockRange = 6;
+function blockPixels(image, z) {
+  const result = new ImageData(image.width, image.height), columns = Math.floor(image.width / 8), rows = Math.floor(image.height / 8);
+  for (let y = 0, o = 0; y < image.height; ++y)
+    for (let x = 0; x < image.width; ++x, o += 4) {
+      const inside = x < 8 * columns && y < 8 * rows, block = z ? z[Math.floor(y / 8) * columns + Math.floor(x / 8)] : 0;
+      const rgb = !inside || block === null ? [128, 128, 128] : between(signedStops, .5 + .5 * block / blockRange);
+      result.data.set([...rgb, 255], o);
+    }
+  return result;
+}

@@ -32,7 +32,7 @@ function makeChart(holder, legend, live) {
 
   function draw() {
     const width = Math.max(holder.clientWidth, 280), narrow = width < 560, height = Math.round(Math.min(Math.max(width * .52, 260), 460));
-    const margin = {left: narrow ? 46 : 58, right: narrow ? 14 : 24 + 7.2 * Math.min(Math.max(...data.candidates.map((c) => c.name.length)), 21), top: 16, bottom: 44}, range = limits();
+    const margin = {left: narrow ? 46 : 58, right: narrow ? 14 : 24 + 7.2 * Math.min(Math.max(...data.candidates.map((c) => c.name.length)), 21), top: 22, bottom: 44}, range = limits();
     const x = (t) => margin.left + Math.log(t / range.t[0]) / Math.log(range.t[1] / range.t[0]) * (width - margin.left - margin.right);
     const y = (e) => margin.top + Math.log(range.e[1] / e) / Math.log(range.e[1] / range.e[0]) * (height - margin.top - margin.bottom);
     frame = {x, y, width, height, margin, range};
@@ -46,7 +46,9 @@ function makeChart(holder, legend, live) {
     svg.append(el("line", {class: "axis", x1: margin.left, x2: width - margin.right, y1: height - margin.bottom, y2: height - margin.bottom}));
     svg.append(el("text", {x: (margin.left + width - margin.right) / 2, y: height - 8, "text-anchor": "middle"}, "seconds"));
     svg.append(el("text", {x: margin.left + 6, y: margin.top + 10}, "error"));
-    for (const t of data.times) svg.append(el("line", {class: "wanted", x1: x(t), x2: x(t), y1: margin.top, y2: height - margin.bottom}));
+    for (const t of data.times) {
+      svg.append(el("line", {class: "wanted", x1: x(t), x2: x(t), y1: margin.top, y2: height - margin.bottom}), el("text", {x: x(t), y: margin.top - 5, "text-anchor": "middle"}, seconds(t)));
+    }
     if (floor > range.e[0] && floor < range.e[1])
       svg.append(el("line", {class: "floor", x1: margin.left, x2: width - margin.right, y1: y(floor), y2: y(floor)}), el("text", {x: margin.left + 6, y: y(floor) - 5}, "noise of the reference"));
     data.candidates.forEach((candidate, i) => shown[i] && svg.append(drawCurve(candidate, i)));

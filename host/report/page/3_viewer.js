@@ -30,7 +30,8 @@ async function makeViewer(controls, holder, scaleHolder, strip) {
     if (!image) return null;
     if (toned.get(key)?.stamp !== stamp) {
       const canvas = toned.get(key)?.canvas ?? Object.assign(document.createElement("canvas"), {width: image.width, height: image.height});
-      canvas.getContext("2d").putImageData(pixelsOf(image, against ?? image, mode, base + state.exposure, state.range, layerMean(layer)), 0, 0);
+      const pixels = mode === "blocks" ? blockPixels(image, data.candidates[who]?.bias.block_z) : pixelsOf(image, against ?? image, mode, base + state.exposure, state.range, layerMean(layer));
+      canvas.getContext("2d").putImageData(pixels, 0, 0);
       toned.set(key, {stamp, canvas});
     }
     return toned.get(key).canvas;
@@ -87,6 +88,8 @@ async function makeViewer(controls, holder, scaleHolder, strip) {
     const range = short(100 * state.range, 2);
     if (state.mode === "image") scaleHolder.replaceChildren(`Tone-mapped, exposure ${signed(base + state.exposure, 1)} stops. Every image has the same.`);
     else if (state.mode === "difference") scaleHolder.replaceChildren(`−${range} %`, el("i", {style: `background:${gradient(signedStops)}`}), `+${range} %`, el("span", {}, "of the reference's mean; white: none"));
+    else if (state.mode === "blocks") scaleHolder.replaceChildren(`z −${blockRange}`, el("i", {style: `background:${gradient(signedStops)}`}), `+${blockRange}`,
+      el("span", {}, "of blocks of 8 × 8 pixels, whole comparison, all passes of all runs; grey: too dark"));
     else scaleHolder.replaceChildren("0", el("i", {style: `background:${gradient(relativeStops)}`}), `${range} %`, el("span", {}, "root of the pixel's own relMSE"));
   }
 
@@ -148,7 +151,7 @@ function makeViewerControls(controls, state, set, zoomAt) {
     choice("left", "left", whos, "left"), choice("right", "right", whos, "right"),
     choice("time", "time", data.times.map((t, i) => [String(i), seconds(t)]), "time", Number),
     layers.length ? choice("layer", "layer", [["image", data.layer === "image" ? "whole image" : data.layer], ...layers.map((l) => [l, l.replaceAll("_", " ")])], "layer") : null,
-    choice("show", "mode", [["image", "image"], ["difference", "signed difference"], ["relative", "relative error"]], "mode"),
+    choice("show", "mode", [["image", "image"], ["difference", "signed difference"], ["relative", "relative error"], ["blocks", "bias of blocks"]], "mode"),
     slider("exposure", "exposure", -6, 6, .1, 0, (v) => signed(v, 1), (exposure) => set({exposure})),
     slider("range of maps", "range", -7.6, 2, .1, Math.log2(state.range), (v) => short(100 * 2 ** v, 2) + " %", (v) => set({range: 2 ** v})),
     el("div", {class: "group"}, "zoom", el("div", {class: "buttons"},

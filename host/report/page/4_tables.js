@@ -51,7 +51,7 @@ function equalTable(holder) {
   });
   sortable(holder, [nameColumn, ...errors,
     {head: "bias of the mean", value: (c) => Math.abs(c.bias.relative), cell: (c) => [c.bias.half_width === null ? "unknown" : `${signed(100 * c.bias.relative)} % ± ${(100 * c.bias.half_width).toFixed(2)} %`,
-      c.bias.significant ? el("span", {class: "chip warn"}, "biased") : null]},
+      c.bias.significant ? el("span", {class: "chip warn"}, "biased") : null, c.unbiased ? null : el("span", {class: "chip plain", title: "this method is not unbiased by design"}, "by design")]},
     {head: "outliers", value: (c) => c.outliers.share_of_largest, cell: (c) => c.outliers.runs ? el("span", {class: "chip warn", title: `worst at pixel (${c.outliers.x}, ${c.outliers.y})`}, `in ${c.outliers.runs} of ${data.repeats}`) : "none"}],
   data.candidates);
 }

@@ -122,5 +122,16 @@ TEST_F(CompareMethods, AnInterruptBeforeTheFirstRunWritesNothing)
     EXPECT_FALSE(std::filesystem::exists(folder / "page/index.html"));
 }
 
+TEST_F(CompareMethods, AnInterruptKeepsWholeRepeats)
+{
+    ChildProcess process(command({"compare", "scene.xml", "--methods", "path", "--times", ".2", "--repeats", "200", "--reference-time", ".2", "-o", "page"}), here());
+    ASSERT_TRUE(process.wait_for_error_text("run 3 of 200"));
+    process.send(SIGINT);
+    EXPECT_EQ(process.wait().exit_code, 130);
+    const int repeats = Json::parse(text_of("page/comparison.json")).at("repeats");
+    EXPECT_GE(repeats, 2);
+    EXPECT_LT(repeats, 200);
+}
+
 }  // namespace
 }  // namespace tyndall::test

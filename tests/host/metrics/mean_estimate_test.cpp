@@ -112,6 +112,9 @@ void expect_as_elsewhere(std::uint64_t first_run, double scale, const Expected& 
     EXPECT_THAT(result.chi_squared, DoubleNear(expected.chi_squared, 1e-8));
     EXPECT_THAT(std::abs(result.largest_z), DoubleNear(expected.largest_z, 1e-8));
     EXPECT_EQ(result.beyond_three, 0);
+    ASSERT_EQ(result.z.size(), 6u);
+    EXPECT_TRUE(std::isnan(result.z[0])) << "the dark block";
+    EXPECT_EQ(result.z[static_cast<std::size_t>(result.largest_block)], result.largest_z);
 }
 
 TEST(Bias, OfRunsAndBlocksAgreesWithAnotherProgram)

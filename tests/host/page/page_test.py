@@ -100,6 +100,19 @@ class Page(unittest.TestCase):
             return x.values.reduce((sum, v, i) => sum + (v - r.values[i]) ** 2 / (r.values[i] ** 2 + e), 0) / x.values.length;""")
         self.assertAlmostEqual(error / self.data["candidates"][0]["snapshots"][-1]["relative_mse"], 1, delta=.01)
 
+    def test_blocks_show_their_deviates(self):
+        choose(self.browser, "#left", "0"), choose(self.browser, "#right", "reference"), choose(self.browser, "#mode", "blocks")
+        left, right = pixels(self.browser, "#split canvas")
+        self.assertEqual(len(self.data["candidates"][0]["bias"]["block_z"]), 6 * 4)  # 48 x 36 pixels: a rest of four rows
+        self.assertNotEqual(left, right)
+        self.browser.run("document.querySelector('#split .handle').dispatchEvent(new KeyboardEvent('keydown', {key: 'Home'}));")
+        settle(self.browser)
+        grey = 4 / 36
+        for value, neutral in zip(pixels(self.browser, "#split canvas")[0], (244, 243, 240)):
+            self.assertAlmostEqual(value, (1 - grey) * neutral + grey * 128, delta=2)
+        choose(self.browser, "#mode", "image"), choose(self.browser, "#right", "1")
+        self.browser.run("const h = document.querySelector('#split .handle'); h.dispatchEvent(new KeyboardEvent('keydown', {key: 'Home'})); for (let i = 0; i < 25; ++i) h.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight'}));")
+
     def test_split_is_dragged(self):
         choose(self.browser, "#left", "reference"), choose(self.browser, "#mode", "difference"), choose(self.browser, "#right", "0")
         x, y, width, height = self.browser.box("#split")
