@@ -19,17 +19,20 @@ struct SyntheticMethod {
 /// The truth: a ramp.
 inline Rgb truth(std::size_t pixel) { return Rgb(1., 2., .5) * (.5 + double(pixel % film_side) / film_side); }
 
+inline LayerSet synthetic_layers() { return LayerSet().add(Layer::single).add(Layer::media_to_media); }
+
+/// Three quarters of the light in one layer, a quarter in another.
 inline PassImage synthetic_pass(const SyntheticMethod& method, std::mt19937_64& random, int pass)
 {
     std::normal_distribution<double> normal;
-    LayerSet set;
-    set.add(Layer::single);
-    PassImage image(film_side, film_side, set);
+    PassImage image(film_side, film_side, synthetic_layers());
     const double common = 1 + method.common * normal(random);
-    auto& pixels = image[Layer::single];
-    for (std::size_t i = 0; i < pixels.size(); ++i)
-        for (int c = 0; c < 3; ++c) pixels[i][c] = truth(i)[c] * (1 + method.bias) * (common + method.noise * normal(random));
-    if (pass == 4) pixels[100][1] += method.outlier;
+    for (std::size_t i = 0; i < image[Layer::single].size(); ++i)
+        for (int c = 0; c < 3; ++c) {
+            const double value = truth(i)[c] * (1 + method.bias) * (common + method.noise * normal(random));
+            image[Layer::single][i][c] = .75 * value, image[Layer::media_to_media][i][c] = .25 * value;
+        }
+    if (pass == 4) image[Layer::single][100][1] += method.outlier;
     return image;
 }
 
@@ -39,15 +42,15 @@ inline RenderFunction synthetic_renderer(std::vector<SyntheticMethod> methods)
     return [methods](const RenderSettings& settings, const ProgressCallback& after_pass) {
         const SyntheticMethod& method = methods.at(settings.lights);
         std::mt19937_64 random(settings.seed);
-        LayerSet set;
-        set.add(Layer::single);
-        RenderOutcome outcome{Film(film_side, film_side, set), {}};
+        RenderOutcome outcome{Film(film_side, film_side, synthetic_layers()), {}};
         for (int pass = 0; pass < settings.passes; ++pass) {
             outcome.film.add_pass(synthetic_pass(method, random, pass));
             Progress progress{.passes_done = pass + 1, .seconds = (pass + 1) * method.pass_seconds};
             if (after_pass && !after_pass(progress, outcome.film)) break;
         }
         outcome.report.passes = outcome.film.passes(), outcome.report.method = "synthetic";
+        outcome.report.seconds = outcome.report.passes * method.pass_seconds;
+        outcome.report.stages = {{"trace_paths", .6 * outcome.report.seconds}, {"media_to_media", .3 * outcome.report.seconds}, {"shadow_segments", .2 * outcome.report.seconds}};
         return outcome;
     };
 }
