@@ -2,6 +2,7 @@
 /// A renderer whose truth is known: pixels of given mean and noise, passes of given length, no clock.
 #include <random>
 
+#include "comparison/candidate.hpp"
 #include "comparison/reference.hpp"
 
 namespace tyndall::test {

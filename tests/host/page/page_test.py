@@ -68,7 +68,7 @@ class Page(unittest.TestCase):
         self.assertEqual([["biased" in row.split("%")[-1] for row in rows], ["in 3 of 3" in row for row in rows], ["no pass yet" in row for row in rows]],
                          [[False, True, False, False], [False, False, False, True], [False, False, True, False]], rows)
         self.assertIn("</script><b>a warning", self.browser.run("return document.querySelector('#warnings').innerText;"))
-        self.assertIn("slow start has the lowest error", self.browser.run("return document.querySelector('#answer').innerText;"))
+        self.assertIn("After 10 s, plain has the lowest error, 7.9 %", self.browser.run("return document.querySelector('#answer').innerText;"))
 
     def test_fetches_nothing(self):
         self.assertEqual(self.browser.run("return performance.getEntriesByType('resource').map((e) => e.name).filter((n) => !n.startsWith('data:'));"), [])

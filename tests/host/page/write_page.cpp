@@ -19,7 +19,8 @@ void write(const std::filesystem::path& folder)
     const MadeReference made = make_reference(render, {}, 400, [] { return false; });
     const MeasuringPlan plan{.times = times, .repeats = 3};
     const std::vector<Candidate> candidates{candidate("plain", 1), candidate("biased", 2), candidate("slow start", 3), candidate("stray value", 4)};
-    const auto measurements = measure(candidates, made.reference, plan, render, {[] { return false; }, [](const std::string&) {}, [] { return 0.; }});
+    const MeasuringHooks hooks{[] { return false; }, [](const std::string&) {}, [] { return 0.; }};
+    const auto measurements = measure(candidates, made.reference, plan, render, hooks);
     const Judgement judgement = judge(measurements, made.reference, times);
     const ComparisonAbout about{.version = "test", .scene_file = "a/scene.xml", .layer = "image", .warnings = {"</script><b>a warning that looks like markup</b>"}, .command = "tyndall compare a/scene.xml",
                                 .render_commands = std::vector<std::string>(candidates.size(), "tyndall render a/scene.xml")};
