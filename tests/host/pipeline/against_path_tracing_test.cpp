@@ -121,4 +121,18 @@ TEST(AgainstPathTracing, ThinHazeBesideThickSmoke)
     expect_twins(t, {Layer::single, Layer::media_to_media, Layer::media_to_surface}, .05);
 }
 
+/// Lights that end at their sampled collision divide by the chance of getting there, which a grid's table gives.
+TEST(AgainstPathTracing, ShortLightsInADensityGrid)
+{
+    const std::string puff = R"(<medium type="heterogeneous" id="puff"><volume name="sigma_t" type="gridvolume"><string name="filename" value=")" TYNDALL_SOURCE_DIR
+                             R"(/scenes/plume/plume.vol"/><transform name="to_world"><translate x="-0.5" y="-0.5" z="-0.5"/></transform></volume>
+                             <rgb name="albedo" value=".95, .9, .8"/><float name="scale" value="8"/></medium>)";
+    const Scene scene = scene_of(puff + container(Vec3(-.5), Vec3(.5), "puff") + floor_below + lamp + view);
+    const Twins t{render_whole(scene, {.method = Method::vrl, .passes = 300, .lights = 256, .segment_length = SegmentLength::short_}),
+                  render_whole(scene, {.method = Method::path, .passes = 4000, .seed = 2})};
+    EXPECT_TRUE(found(t.vrl, "SHORT_LIGHTS"));
+    EXPECT_TRUE(found(t.vrl, "HETEROGENEOUS"));
+    expect_twins(t, {Layer::single, Layer::media_to_media, Layer::media_to_surface}, .05);
+}
+
 }  // namespace
