@@ -124,10 +124,10 @@ TEST(AgainstPathTracing, ThinHazeBesideThickSmoke)
 /// Lights that end at their sampled collision divide by the chance of getting there, which a grid's table gives.
 TEST(AgainstPathTracing, ShortLightsInADensityGrid)
 {
-    const std::string puff = R"(<medium type="heterogeneous" id="puff"><volume name="sigma_t" type="gridvolume"><string name="filename" value=")" TYNDALL_SOURCE_DIR
-                             R"(/scenes/plume/plume.vol"/><transform name="to_world"><translate x="-0.5" y="-0.5" z="-0.5"/></transform></volume>
+    const std::string puff = R"(<medium type="heterogeneous" id="puff"><volume name="sigma_t" type="gridvolume"><string name="filename" value="plume.vol"/><transform name="to_world"><translate x="-0.5" y="-0.5" z="-0.5"/></transform></volume>
                              <rgb name="albedo" value=".95, .9, .8"/><float name="scale" value="8"/></medium>)";
-    const Scene scene = scene_of(puff + container(Vec3(-.5), Vec3(.5), "puff") + floor_below + lamp + view);
+    const std::string body = puff + container(Vec3(-.5), Vec3(.5), "puff") + floor_below + lamp + view;
+    const Scene scene = parse_scene("<scene version=\"3.0.0\">" + body + "</scene>", TYNDALL_SOURCE_DIR "/scenes/plume", "scene.xml");
     const Twins t{render_whole(scene, {.method = Method::vrl, .passes = 300, .lights = 256, .segment_length = SegmentLength::short_}),
                   render_whole(scene, {.method = Method::path, .passes = 4000, .seed = 2})};
     EXPECT_TRUE(found(t.vrl, "SHORT_LIGHTS"));
