@@ -41,6 +41,7 @@ namespace tyndall::maths_float {
 #undef PHASE_PRODUCT_H
 #undef PHASE_LOBES_H
 #undef ROD_TABLE_H
+#undef ROD_ESTIMATE_H
 #undef TRANSMITTANCE_H
 #undef SURFACE_ROD_H
 #undef LINEAR_PIECE_H

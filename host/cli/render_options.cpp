@@ -72,6 +72,21 @@ void add_transport(CLI::App& app, RenderSettings& settings, LayerSet& layers)
         ->excludes(longer);
 }
 
+void add_selection(CLI::App& app, RenderSettings& settings)
+{
+    add(app, "--select", "WHICH", "virtual lights of each pixel: auto, all, or tile: some, chosen by an estimate that a square of pixels shares", [&](const auto& text) {
+        settings.selection = std::array{Selection::automatic, Selection::all, Selection::tile}[parse_choice("--select", text, {"auto", "all", "tile"})];
+    });
+    add(app, "--selected", "N", "so many virtual lights per pixel and pass (by rule)",
+        [&](const auto& text) { settings.selected_lights = static_cast<std::uint32_t>(parse_integer("--selected", text, 1, 1 << 16)); });
+    add(app, "--block", "PIXELS", "width of the squares that share an estimate: 4, 8 or 16 (by rule)",
+        [&](const auto& text) { settings.selection_block = std::array{4, 8, 16}[parse_choice("--block", text, {"4", "8", "16"})]; });
+    add(app, "--defence", "SHARE", "of the choice that goes by power alone: .1 or 10% (by rule)",
+        [&](const auto& text) { settings.selection_defence = parse_share("--defence", text); });
+    add(app, "--camera-samples", "N", "per pixel and pass, for virtual lights (by rule)",
+        [&](const auto& text) { settings.camera_samples = integer("--camera-samples", text, 1, 64); });
+}
+
 void add_film(CLI::App& app, RenderCommand& command)
 {
     add(app, "--resolution", "WxH", "film size in pixels; the scene's crop window is scaled with it",
@@ -171,6 +186,7 @@ void add_render_options(CLI::App& app, RenderCommand& command)
     add_budget(app, command.settings);
     add_film(app, command);
     add_transport(app, command.settings, command.settings.layers);
+    add_selection(app, command.settings);
     add_machine(app, command.settings);
     add_load_options(app, command.load);
 }

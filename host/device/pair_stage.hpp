@@ -27,6 +27,7 @@ struct PairProgram {
     int lanes = 16;
     int sampler = 0, sequence = 0;            ///< kernels/shared/samplers.h
     std::uint32_t samples = 1;                ///< per pair; contributions are their sum
+    bool selection = false;                   ///< eyes connect to the lights that were chosen for them
     int transmittance = 0;                    ///< kernels/shared/transmittance_modes.h; means something with HETEROGENEOUS only
 };
 
@@ -58,18 +59,32 @@ struct PairLedger {
 };
 
 struct PairTimings {
-    double gather = 0, sample = 0, accumulate = 0, tabulate = 0, largest_launch = 0;  ///< seconds on the device
+    double gather = 0, sample = 0, accumulate = 0, tabulate = 0, select = 0, largest_launch = 0;  ///< seconds on the device
     std::uint64_t launches = 0;
 };
 
 /// "-cl-std=CL1.2 -DLANES=16 ...": the build options of a program; part of the report.
 std::string build_options(const PairProgram& program);
 
-/// One kernel that a program needs, each built alone.
+/// One kernel that a program needs.
 struct KernelBuild {
-    std::string name;            ///< of the kernel and of its file in kernels/stages
+    std::string name;            ///< of the kernel
     std::string options;
     std::uint32_t features = 0;
+
+    /// Its file in kernels/stages; kernels of one file and the same options are one program.
+    std::string file() const { return name == "weigh_lights" ? "select_lights" : name; }
+    /// It asks neither eyes, lights nor features: one program serves all.
+    bool serves_all() const { return name == "accumulate_pairs" || file() == "select_lights"; }
+};
+
+/// How lights are chosen for blocks of eyes.
+struct LightSelection {
+    std::span<const std::byte> standing;   ///< raw records of the eyes whose estimates the blocks share
+    std::uint32_t standing_count = 0;      ///< a multiple of eye_alignment
+    std::span<const EyeBlock> blocks;      ///< together they hold every group of 16 eyes once
+    std::uint32_t slots = 64;              ///< lights per eye; a block's part makes one of `parts` out of slots x parts
+    float defence = .1f;                   ///< share of the choice that goes by power alone, in [0, 1]
 };
 
 /// gather_lights if nothing can occlude; otherwise sample_pairs, and accumulate_pairs, which is the same program for every eye, light and feature. Density
@@ -86,6 +101,11 @@ public:
     /// Starts a set of eyes and lights: raw records, sums at zero, tables along them where there are density grids. vertex_limit: at most so many scattering vertices on a path (ignored without DEPTH_LIMIT).
     void begin(std::span<const std::byte> eyes, std::uint32_t eye_count, std::span<const std::byte> lights, std::uint32_t vertex_limit);
     std::uint32_t groups() const;
+
+    /// Chooses lights for all eyes, after `begin` and before the first tile; from here on the tiles' lights are slots. Without lights it does nothing.
+    void select(const LightSelection& selection);
+    /// What was chosen, slots per group of 16 eyes (tests, reports). Waits.
+    std::vector<LightChoice> chosen() const;
 
     /// Without occluders: adds a tile (first_light a multiple of light_block). Returns before it is done.
     void gather(const PairTile& tile);

@@ -24,8 +24,8 @@ std::vector<PairProgram> everyday_programs(int lanes)
 {
     std::vector<PairProgram> programs;
     const auto add = [&](EyeKind eyes, std::uint32_t mask) {
-        programs.push_back({.eyes = eyes, .features = mask, .lanes = lanes, .sampler = SAMPLER_PAPER_ISOTROPIC});
-        if (eyes == EyeKind::segments && (mask & feature_bit::anisotropic)) programs.push_back({.eyes = eyes, .features = mask, .lanes = lanes, .sampler = SAMPLER_PAPER});
+        programs.push_back({.eyes = eyes, .features = mask, .lanes = lanes, .sampler = SAMPLER_PAPER_ISOTROPIC, .selection = true});
+        if (eyes == EyeKind::segments && (mask & feature_bit::anisotropic)) programs.push_back({.eyes = eyes, .features = mask, .lanes = lanes, .sampler = SAMPLER_PAPER, .selection = true});
     };
     for (const std::uint32_t mask : subsets_of(feature_bit::anisotropic | feature_bit::coloured | feature_bit::occluders)) {
         add(EyeKind::segments, mask);
@@ -45,6 +45,8 @@ void prebuild(Device& device, const PairProgram& program)
     PairStage stage(device, program, {.media = {nothing}, .containers = {}, .planes = {}});
     const std::vector<std::byte> eyes(eye_alignment * sizeof(EyeSegment)), lights(256);  // larger than any one light's record
     stage.begin(eyes, eye_alignment, lights, 0);
+    const EyeBlock block{0, 1, 0, 0, 0, 1, 0, 0};
+    if (program.selection) stage.select({.standing = eyes, .standing_count = eye_alignment, .blocks = {&block, 1}, .slots = 1});
     const PairTile tile{0, stage.groups(), 0, 1};
     if (program.features & feature_bit::occluders) {
         stage.sample(0, tile);

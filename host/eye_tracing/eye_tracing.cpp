@@ -24,19 +24,23 @@ struct Row {
     std::vector<EyePoint> points;
 };
 
-/// The camera path of one pixel.
+/// A pass of its own, as far as random numbers go, for every camera sample after the first.
+std::uint64_t numbered(std::uint64_t pass, int sample) { return pass | static_cast<std::uint64_t>(sample) << 48; }
+
+/// The camera path of one sample of a pixel.
 class EyePath {
 public:
-    EyePath(const Scene& scene, const Visibility& visibility, const EyeTracingSettings& settings, EyeRecords& all, Row& row, int x, int y)
+    EyePath(const Scene& scene, const Visibility& visibility, const EyeTracingSettings& settings, EyeRecords& all, Row& row, int x, int y, int sample)
         : scene_(scene),
           visibility_(visibility),
           settings_(settings),
           features_(all.features),
           row_(row),
           pixel_(static_cast<uint>(y * scene.camera.crop_width + x)),
-          random_(settings.seed, settings.pass, RandomStream::pairs, pixel_)
+          first_sample_(sample == 0),
+          random_(settings.seed, numbered(settings.pass, sample), RandomStream::pairs, pixel_)
     {
-        const CameraSample start = sample_camera(scene.camera, x, y, settings.seed, settings.pass);
+        const CameraSample start = sample_camera(scene.camera, x, y, settings.seed, numbered(settings.pass, sample));
         ray_ = start.ray, medium_ = start.medium, along_axis_ = glm::dot(start.ray.direction, Vec3(scene.camera.to_world[2])), near_ = start.near;
     }
 
@@ -44,7 +48,7 @@ public:
     {
         for (bool first = true; largest(throughput_) > 0; first = false) {
             const RayWalk walk = visibility_.walk(ray_, medium_);
-            if (first) note_features(walk);
+            if (first && first_sample_) note_features(walk);
             if (!may_scatter() || !(settings_.segments || settings_.points)) return;
             add_segments(walk);
             if (!walk.found) return;
@@ -133,6 +137,7 @@ private:
     PixelFeatures& features_;
     Row& row_;
     uint pixel_;
+    bool first_sample_;
     RandomSequence random_;
     Ray ray_;
     int medium_ = vacuum, depth_ = 0;
@@ -148,13 +153,16 @@ EyeRecords trace_eyes(const Scene& scene, const Visibility& visibility, const Ey
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     EyeRecords all;
     all.features = {std::vector<Rgb>(pixels, Rgb(0)), std::vector<Vec3>(pixels, Vec3(0)), std::vector<double>(pixels, 0)};
-    std::vector<Row> rows(static_cast<std::size_t>(height));
-    tbb::parallel_for(0, height, [&](int y) {
-        for (int x = 0; x < width; ++x) EyePath(scene, visibility, settings, all, rows[static_cast<std::size_t>(y)], x, y).trace();
-    });
-    for (const Row& row : rows) {
-        all.segments.insert(all.segments.end(), row.segments.begin(), row.segments.end());
-        all.points.insert(all.points.end(), row.points.begin(), row.points.end());
+    for (int sample = 0; sample < settings.samples; ++sample) {
+        std::vector<Row> rows(static_cast<std::size_t>(height));
+        tbb::parallel_for(0, height, [&](int y) {
+            for (int x = 0; x < width; ++x) EyePath(scene, visibility, settings, all, rows[static_cast<std::size_t>(y)], x, y, sample).trace();
+        });
+        for (const Row& row : rows) {
+            all.segments.insert(all.segments.end(), row.segments.begin(), row.segments.end());
+            all.points.insert(all.points.end(), row.points.begin(), row.points.end());
+        }
+        all.segment_ends.push_back(all.segments.size()), all.point_ends.push_back(all.points.size());
     }
     return all;
 }

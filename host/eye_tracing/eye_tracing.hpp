@@ -12,17 +12,19 @@ namespace tyndall {
 
 struct EyeTracingSettings {
     std::uint64_t seed = 1, pass = 0;
+    int samples = 1;  ///< camera samples per pixel; features are those of the first
     int max_depth = -1;
     bool segments = true, points = true;  ///< which of them are wanted
 };
 
 struct EyeRecords {
-    std::vector<EyeSegment> segments;  ///< in pixel order; in media that scatter
-    std::vector<EyePoint> points;      ///< in pixel order; at most one per pixel, on surfaces that reflect diffusely
+    std::vector<EyeSegment> segments;  ///< camera sample by camera sample, each in pixel order; in media that scatter
+    std::vector<EyePoint> points;      ///< the same; at most one per pixel and camera sample, on surfaces that reflect diffusely
+    std::vector<std::size_t> segment_ends, point_ends;  ///< number of segments and points after each camera sample
     PixelFeatures features;
 };
 
-/// One camera sample per pixel of the crop window. The result does not depend on the number of threads.
+/// Camera samples of the pixels of the crop window; a pixel is the mean of its own. The result does not depend on the number of threads.
 EyeRecords trace_eyes(const Scene& scene, const Visibility& visibility, const EyeTracingSettings& settings);
 
 }  // namespace tyndall

@@ -49,6 +49,7 @@ PairProgram pair_program(const LayerPlan& plan, const RenderSettings& settings, 
             .sampler = sampler,
             .sequence = choose_sequence(settings.sequence, settings.samples_per_pair),
             .samples = static_cast<std::uint32_t>(settings.samples_per_pair),
+            .selection = plan.selection.chosen,
             .transmittance = settings.transmittance == GridTransmittance::exact ? TRANSMITTANCE_EXACT : TRANSMITTANCE_MARCH};
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "pipeline/explain.hpp"
-#include "pipeline/light_budget.hpp"
+#include "pipeline/light_selection_plan.hpp"
 #include "pipeline/render.hpp"
 
 namespace tyndall {
@@ -67,7 +67,8 @@ double pixels(const Scene& scene) { return double(scene.camera.crop_width) * sce
 Calibration calibrate(const Scene& scene, const RenderSettings& wanted, double seconds)
 {
     RenderSettings settings = wanted;
-    settings.lights = lights_per_pass(settings, scene.camera);  // of the whole film and the real budget
+    const SelectionPlan plan = plan_selection(settings, scene.camera);  // of the whole film and the real budget
+    settings.lights = plan.lights, settings.selection = plan.chosen ? Selection::tile : Selection::all;
     const Scene pilot = shrunk(scene, 1.0 / 64);
     const Measured small = measure(pilot, settings, seconds / 4);
     const double growing = (small.mean - small.lights) * pixels(scene) / pixels(pilot);

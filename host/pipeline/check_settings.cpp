@@ -28,6 +28,11 @@ void check_settings(const RenderSettings& s)
     require(s.max_depth.value_or(-1) >= -1, "max depth = " + std::to_string(s.max_depth.value_or(-1)) + " must be -1 (no limit) or at least 0");
     require(s.tile_pairs <= 1u << 28, "tile = " + std::to_string(s.tile_pairs) + " pairs is more than " + std::to_string(1u << 28));
     require(s.samples_per_pair >= 1 && s.samples_per_pair <= 256, "samples per pair = " + std::to_string(s.samples_per_pair) + " must lie between 1 and 256");
+    require(s.selected_lights <= 1u << 16, "selected lights = " + std::to_string(s.selected_lights) + " per pixel is more than " + std::to_string(1u << 16));
+    require(s.selection_block == 0 || s.selection_block == 4 || s.selection_block == 8 || s.selection_block == 16,
+            "selection block = " + std::to_string(s.selection_block) + " pixels must be 4, 8 or 16 (0: by rule)");
+    require(s.selection_defence <= 1, "the share of lights that are chosen by power must be at most 1");
+    require(s.camera_samples >= 0 && s.camera_samples <= 64, "camera samples = " + std::to_string(s.camera_samples) + " per pass must lie between 1 and 64 (0: by rule)");
     require(s.skip_thin >= 0 && s.skip_thin < 1, "the share of light that may be left out must be at least 0 and less than 1");
     require(!s.layers.empty(), "no layer is left to render");
 }

@@ -6,7 +6,6 @@
 #include "path_tracing/path_tracing.hpp"
 #include "pipeline/build_masks.hpp"
 #include "pipeline/check_settings.hpp"
-#include "pipeline/light_budget.hpp"
 #include "pipeline/memory_estimate.hpp"
 #include "pipeline/savings.hpp"
 #include "pipeline/scene_doubts.hpp"
@@ -15,11 +14,11 @@
 namespace tyndall {
 namespace {
 
-/// One line for every program; accumulate_pairs serves both layers.
+/// One line for every kernel; some serve both layers.
 void add_kernels(const std::string& layer, const PairProgram& program, std::vector<KernelReport>& kernels)
 {
     for (const KernelBuild& build : kernel_builds(program)) {
-        const auto shared = std::find_if(kernels.begin(), kernels.end(), [&](const KernelReport& k) { return build.name == "accumulate_pairs" && k.kernel == build.name; });
+        const auto shared = std::find_if(kernels.begin(), kernels.end(), [&](const KernelReport& k) { return build.serves_all() && k.kernel == build.name; });
         if (shared != kernels.end()) shared->layer = "both layers";
         else kernels.push_back({layer, build.name, feature_names(build.features), build.options});
     }
@@ -56,16 +55,18 @@ Explanation explain(const Scene& scene, const RenderSettings& settings)
     const SceneFeatures features = features_of(scene, settings.segment_length == SegmentLength::short_, settings.max_depth.value_or(scene.max_depth));
     const LayerPlan plan = plan_layers(scene, features, settings);
     const BuildMasks masks = build_masks(features, plan, settings.features);
-    const std::uint32_t lights = lights_per_pass(settings, scene.camera);
+    const SelectionPlan& selection = plan.selection;
+    const std::uint32_t lights = selection.lights;
     Explanation e{.scene = scene.file, .method = std::string(name(settings.method))};
     e.width = scene.camera.crop_width, e.height = scene.camera.crop_height, e.passes = settings.passes, e.seconds = settings.seconds;
     e.lanes = plan.virtual_lights() ? settings.lanes ? settings.lanes : 16 : 0, e.lights = plan.virtual_lights() ? lights : 0;
     e.effects = effect_reports(features), e.layers = plan.reports;
     if (plan.media_to_media) add_kernels("media_to_media", pair_program(plan, settings, EyeKind::segments, masks, e.lanes), e.kernels);
     if (plan.media_to_surface) add_kernels("media_to_surface", pair_program(plan, settings, EyeKind::points, masks, e.lanes), e.kernels);
+    if (plan.virtual_lights()) e.selection = to_text(selection);
     e.grids = grid_transmittance(settings, plan, masks);
-    e.memory = estimate_memory(scene, settings, plan, masks, e.lights);
-    e.savings = savings_of(features, plan, masks, expected_pairs(e, settings, settings.method == Method::vrl ? lights : 0));
+    e.memory = estimate_memory(scene, settings, plan, masks);
+    e.savings = savings_of(features, plan, masks, expected_pairs(e, settings, settings.method == Method::vrl ? selection.slots : 0));
     add_warnings(scene, settings, e);
     return e;
 }

@@ -76,7 +76,7 @@ LayerSet LayerPlan::rendered() const
 LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const RenderSettings& settings)
 {
     const ChosenSampler chosen = choose_sampler(scene, features, settings.sampler);
-    LayerPlan plan{.sampler = chosen.sampler};
+    LayerPlan plan{.selection = plan_selection(settings, scene.camera), .sampler = chosen.sampler};
     for (std::size_t l = 0; l < layer_count; ++l) {
         const Layer layer = static_cast<Layer>(l);
         const Technique technique = technique_for(layer, settings.method);

@@ -2,6 +2,7 @@
 /// Who carries which layer: the choice of techniques for a scene, and why layers are skipped.
 #include <vector>
 
+#include "pipeline/light_selection_plan.hpp"
 #include "report/report.hpp"
 #include "scene/scene_features.hpp"
 #include "tyndall/settings.hpp"
@@ -12,6 +13,7 @@ struct LayerPlan {
     bool media_to_media = false, media_to_surface = false;  ///< by virtual lights
     bool single = false;                                    ///< by equi-angular light sampling
     LayerSet path_traced;                                   ///< by the path tracer
+    SelectionPlan selection;                                ///< how many virtual lights, and which of them eyes connect to
     int sampler = 0;                                        ///< of media_to_media: kernels/shared/samplers.h
     std::vector<LayerReport> reports;                       ///< one per layer, in order
 

@@ -18,9 +18,4 @@ std::uint32_t default_lights(const Camera& camera, double seconds)
     return static_cast<std::uint32_t>(lights < light_block ? lights : std::floor(lights / light_block) * light_block);
 }
 
-std::uint32_t lights_per_pass(const RenderSettings& settings, const Camera& camera)
-{
-    return settings.lights ? settings.lights : default_lights(camera, settings.seconds);
-}
-
 }  // namespace tyndall

@@ -6,6 +6,7 @@
 #include "film/film.hpp"
 #include "kernels/shared/host_features.hpp"
 #include "lights/light_technique.hpp"
+#include "pipeline/light_selection_plan.hpp"
 #include "tiling/connect_pairs.hpp"
 
 namespace tyndall {
@@ -28,11 +29,21 @@ void add_tables(const std::string& layer, std::uint64_t segments, std::uint32_t 
     memory.push_back({layer + ": tables of density grids", (segments + lights) * 65 * channels * sizeof(float), true});
 }
 
-/// What one kind of eye takes on the device.
-void add_device(const RenderSettings& settings, const std::string& layer, std::uint64_t pixels, std::uint32_t features, std::uint32_t lights, std::vector<MemoryReport>& memory)
+/// Estimates of the lights for squares of pixels, and what was chosen by them.
+void add_choice(const std::string& layer, std::uint64_t eyes, const SelectionPlan& plan, std::vector<MemoryReport>& memory)
 {
-    const std::uint64_t eyes = std::min<std::uint64_t>(pixels, eyes_at_a_time(features));
+    const std::uint64_t squares = std::min<std::uint64_t>(eyes / static_cast<std::uint64_t>(plan.block * plan.block * plan.camera_samples) + 1, estimates_at_a_time / std::max(plan.lights, 1u) + 1);
+    memory.push_back({layer + ": chosen lights and their estimates",
+                      squares * plan.lights * (sizeof(float) + sizeof(std::uint32_t)) + eyes / eye_alignment * plan.slots_per_sample() * sizeof(LightChoice), true});
+}
+
+/// What one kind of eye takes on the device.
+void add_device(const RenderSettings& settings, const SelectionPlan& selection, const std::string& layer, std::uint64_t pixels, std::uint32_t features, std::vector<MemoryReport>& memory)
+{
+    const std::uint32_t lights = selection.lights;
+    const std::uint64_t eyes = std::min<std::uint64_t>(pixels * static_cast<std::uint64_t>(selection.camera_samples), eyes_at_a_time(features));
     const bool occluders = features & feature_bit::occluders;
+    if (selection.chosen) add_choice(layer, eyes, selection, memory);
     add_tables(layer, layer == "media_to_media" ? eyes : 0, features, lights, memory);
     constexpr std::uint64_t sums = 6 * sizeof(float), packet = sizeof(ShadowPacket) / SHADOW_PACKET_SIZE, contribution = 3 * sizeof(float);
     memory.push_back({layer + ": eyes and their sums", eyes * (sizeof(EyeSegment) + sums), true});
@@ -40,7 +51,7 @@ void add_device(const RenderSettings& settings, const std::string& layer, std::u
     if (!occluders) return;
     const std::uint64_t samples = static_cast<std::uint64_t>(settings.samples_per_pair), wanted = std::max<std::uint64_t>((settings.tile_pairs ? settings.tile_pairs : shadowed_pairs) / samples, 1);
     const std::uint64_t tile_eyes = std::min<std::uint64_t>(eyes, std::max<std::uint64_t>(wanted / light_block, eye_alignment));
-    const std::uint64_t pairs = tile_eyes * std::min<std::uint64_t>(lights, light_block) * samples;
+    const std::uint64_t pairs = tile_eyes * std::min<std::uint64_t>(selection.slots_per_sample(), light_block) * samples;
     memory.push_back({layer + ": two tiles of shadow segments", 2 * pairs * (packet + contribution), true});
 }
 
@@ -55,7 +66,7 @@ std::uint64_t grid_bytes(const Scene& scene)
 
 std::size_t eyes_at_a_time(std::uint32_t features) { return features & feature_bit::heterogeneous ? 1u << 16 : 1u << 19; }
 
-std::vector<MemoryReport> estimate_memory(const Scene& scene, const RenderSettings& settings, const LayerPlan& plan, const BuildMasks& masks, std::uint32_t lights)
+std::vector<MemoryReport> estimate_memory(const Scene& scene, const RenderSettings& settings, const LayerPlan& plan, const BuildMasks& masks)
 {
     const std::uint64_t pixels = static_cast<std::uint64_t>(scene.camera.crop_width) * static_cast<std::uint64_t>(scene.camera.crop_height);
     std::vector<MemoryReport> memory{{"film", film_bytes(pixels, settings, plan.rendered().size())},
@@ -64,9 +75,10 @@ std::vector<MemoryReport> estimate_memory(const Scene& scene, const RenderSettin
     if (grids > 0) memory.push_back({"grids of voxels", grids});
     if (!plan.virtual_lights()) return memory;
     const std::uint64_t kinds = (plan.media_to_media ? 1u : 0u) + (plan.media_to_surface ? 1u : 0u);
-    memory.push_back({"eye segments and eye points", pixels * kinds * sizeof(EyeSegment)});
-    if (plan.media_to_media) add_device(settings, "media_to_media", pixels, masks.media_to_media, lights, memory);
-    if (plan.media_to_surface) add_device(settings, "media_to_surface", pixels, masks.media_to_surface, lights, memory);
+    const SelectionPlan selection = plan_selection(settings, scene.camera);
+    memory.push_back({"eye segments and eye points", pixels * static_cast<std::uint64_t>(selection.camera_samples) * kinds * sizeof(EyeSegment)});
+    if (plan.media_to_media) add_device(settings, selection, "media_to_media", pixels, masks.media_to_media, memory);
+    if (plan.media_to_surface) add_device(settings, selection, "media_to_surface", pixels, masks.media_to_surface, memory);
     if (grids > 0) memory.push_back({"grids of voxels, once for each kind of eye", kinds * grids, true});
     return memory;
 }

@@ -7,37 +7,17 @@
 #include "path_tracing/path_tracing.hpp"
 #include "path_tracing/single_scattering.hpp"
 #include "pipeline/explain.hpp"
-#include "pipeline/light_budget.hpp"
 #include "pipeline/media_tables.hpp"
 #include "pipeline/memory_estimate.hpp"
 #include "pipeline/savings.hpp"
 #include "selftest/first_use.hpp"
+#include "transport/random_sequence.hpp"
 #include "tyndall/error.hpp"
 
 namespace tyndall {
 namespace {
 
 int lanes_of(const RenderSettings& settings, const Device& device) { return settings.lanes ? settings.lanes : device.info().default_lanes; }
-
-/// Records padded with copies that carry nothing, so that groups of lanes are full.
-template <typename Eye>
-std::vector<Eye> padded(std::span<const Eye> eyes)
-{
-    std::vector<Eye> all(eyes.begin(), eyes.end());
-    while (all.size() % eye_alignment != 0) {
-        all.push_back(all.back());
-        all.back().throughput_r = all.back().throughput_g = all.back().throughput_b = 0;
-    }
-    return all;
-}
-
-template <typename Eye>
-EyeBatch batch_of(const std::vector<Eye>& eyes)
-{
-    EyeBatch batch{std::as_bytes(std::span(eyes)), static_cast<std::uint32_t>(eyes.size()), {}};
-    for (const Eye& eye : eyes) batch.media.push_back(eye.medium == NO_MEDIUM ? vacuum : static_cast<int>(eye.medium));
-    return batch;
-}
 
 }  // namespace
 
@@ -85,7 +65,7 @@ void PassRenderer::prepare_lights()
     });
     auto to_points = std::async(std::launch::async, build, plan_.media_to_surface, EyeKind::points);
     auto to_segments = std::async(std::launch::async, build, plan_.media_to_media, EyeKind::segments);
-    const std::uint32_t lights = lights_per_pass(settings_, scene_.camera);
+    const std::uint32_t lights = plan_.selection.lights;
     light_paths_ = clock_.time("pilot", [&] {
         return paths_for(scene_, visibility_, technique_,
                          {.seed = settings_.seed, .max_depth = max_depth_, .light_segments = settings_.light_segments, .segment_length = settings_.segment_length}, lights);
@@ -94,30 +74,14 @@ void PassRenderer::prepare_lights()
     clock_.add("build_kernels", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), device_->programs_built());
 }
 
-std::unique_ptr<PassRenderer::Connector> PassRenderer::make_connector(EyeKind kind)
+std::unique_ptr<EyeConnector> PassRenderer::make_connector(EyeKind kind)
 {
     const int lanes = lanes_of(settings_, *device_);
     PairProgram program = pair_program(plan_, settings_, kind, masks_, lanes);
     program.light = std::string(technique_.name), program.light_bytes = static_cast<std::uint32_t>(technique_.record_bytes);
     const std::uint32_t limit = max_depth_ < 0 ? 0xffffffffu : static_cast<std::uint32_t>(std::max(max_depth_ - 1, 0));
     const ConnectSettings connect{.features = program.features, .samples = program.samples, .vertex_limit = limit, .tile_pairs = settings_.tile_pairs, .lanes = lanes};
-    return std::make_unique<Connector>(PairStage(*device_, program, media_tables(scene_, features_)), connect);
-}
-
-void PassRenderer::connect(Connector& connector, const EyeRecords& eyes, EyeKind kind, const VirtualLights& lights, std::vector<Rgb>& image)
-{
-    const std::size_t most = eyes_at_a_time(connector.settings.features);
-    const auto add = [&](const auto& records) {
-        for (std::size_t first = 0; first < records.size(); first += most) {
-            const auto chunk = std::span(records).subspan(first, std::min(most, records.size() - first));
-            const auto eyes_here = padded(chunk);
-            const std::vector<double> sums = connect_pairs(connector.stage, visibility_, batch_of(eyes_here), {lights.records, lights.count}, connector.settings, counts_);
-            for (std::size_t i = 0; i < chunk.size(); ++i)
-                image[chunk[i].pixel] += Rgb(sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]) / double(settings_.samples_per_pair);
-        }
-    };
-    if (kind == EyeKind::segments) add(eyes.segments);
-    else add(eyes.points);
+    return std::make_unique<EyeConnector>(PairStage(*device_, program, media_tables(scene_, features_)), connect, plan_.selection, scene_.camera.crop_width);
 }
 
 void PassRenderer::add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image)
@@ -128,9 +92,10 @@ void PassRenderer::add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes
                             {.seed = settings_.seed, .pass = pass, .paths = light_paths_, .max_depth = max_depth_, .light_segments = settings_.light_segments,
                              .segment_length = settings_.segment_length});
     });
+    const std::uint64_t key = mix_bits(mix_bits(settings_.seed) + pass);
     virtual_lights_ += lights.count, eye_segments_ += eyes.segments.size(), eye_points_ += eyes.points.size();
-    if (to_segments_) clock_.time("media_to_media", [&] { connect(*to_segments_, eyes, EyeKind::segments, lights, image[Layer::media_to_media]); });
-    if (to_points_) clock_.time("media_to_surface", [&] { connect(*to_points_, eyes, EyeKind::points, lights, image[Layer::media_to_surface]); });
+    if (to_segments_) clock_.time("media_to_media", [&] { to_segments_->connect(eyes, EyeKind::segments, lights, visibility_, key, counts_, image[Layer::media_to_media]); });
+    if (to_points_) clock_.time("media_to_surface", [&] { to_points_->connect(eyes, EyeKind::points, lights, visibility_, key, counts_, image[Layer::media_to_surface]); });
 }
 
 void PassRenderer::add_host_layers(std::uint64_t pass, PassImage& image)
@@ -143,7 +108,7 @@ void PassRenderer::add_host_layers(std::uint64_t pass, PassImage& image)
 PassResult PassRenderer::render(std::uint64_t pass)
 {
     PassResult result{PassImage(scene_.camera.crop_width, scene_.camera.crop_height, plan_.rendered()), {}};
-    const EyeTracingSettings wanted{.seed = settings_.seed, .pass = pass, .max_depth = max_depth_, .segments = plan_.media_to_media, .points = plan_.media_to_surface};
+    const EyeTracingSettings wanted{.seed = settings_.seed, .pass = pass, .samples = plan_.virtual_lights() ? plan_.selection.camera_samples : 1, .max_depth = max_depth_, .segments = plan_.media_to_media, .points = plan_.media_to_surface};
     EyeRecords eyes = clock_.time("trace_eyes", [&] { return trace_eyes(scene_, visibility_, wanted); });
     add_virtual_lights(pass, eyes, result.image);
     add_host_layers(pass, result.image);
@@ -153,10 +118,11 @@ PassResult PassRenderer::render(std::uint64_t pass)
 
 void PassRenderer::add_savings(Report& report) const
 {
-    const double passes = std::max(report.passes, 1), lights = static_cast<double>(virtual_lights_) / passes, samples = settings_.samples_per_pair;
+    const double passes = std::max(report.passes, 1), samples = settings_.samples_per_pair;
+    const double lights = plan_.selection.chosen ? plan_.selection.slots_per_sample() : static_cast<double>(virtual_lights_) / passes;
     const PairCounts pairs{.to_segments = static_cast<double>(eye_segments_) * lights * samples, .to_points = static_cast<double>(eye_points_) * lights * samples,
                            .pixels = double(scene_.camera.crop_width) * scene_.camera.crop_height * passes,
-                           .lights_per_pass = settings_.method == Method::vrl ? lights_per_pass(settings_, scene_.camera) : 0.};
+                           .lights_per_pass = settings_.method == Method::vrl ? plan_.selection.slots : 0.};
     report.savings = savings_of(features_, plan_, masks_, pairs);
 }
 
@@ -171,6 +137,7 @@ void PassRenderer::fill(Report& report) const
     report.ledger.runaway_walks = visibility_.runaway_walks();
     report.ledger.unsafe_shadow_segments = visibility_.invalid_rays();
     report.effects = effect_reports(features_);
+    if (plan_.virtual_lights()) report.selection = to_text(plan_.selection);
     report.grids = grid_transmittance(settings_, plan_, masks_);
     add_savings(report);
     if (!device_) return;
@@ -180,17 +147,17 @@ void PassRenderer::fill(Report& report) const
     report.device = device_->info().platform + ": " + device_->info().name, report.driver = device_->info().driver;
     for (const auto* connector : {to_segments_.get(), to_points_.get()}) {
         if (!connector) continue;
-        const PairTimings timings = connector->stage.timings();
-        const PairLedger ledger = connector->stage.ledger();
+        const PairTimings timings = connector->stage().timings();
+        const PairLedger ledger = connector->stage().ledger();
         const char* layer = connector == to_segments_.get() ? "media_to_media" : "media_to_surface";
-        report.lanes = connector->settings.lanes, report.launches += timings.launches;
+        report.lanes = connector->settings().lanes, report.launches += timings.launches;
         report.largest_launch_seconds = std::max(report.largest_launch_seconds, timings.largest_launch);
-        report.build_options += (report.build_options.empty() ? "" : "; ") + std::string(layer) + ": " + connector->stage.options();
+        report.build_options += (report.build_options.empty() ? "" : "; ") + std::string(layer) + ": " + connector->stage().options();
         report.ledger.not_finite_pairs += ledger.not_finite, report.ledger.floored_pairs += ledger.floored;
         if (ledger.not_finite)
             report.ledger.first_cases.push_back(std::string(layer) + ": eye " + std::to_string(ledger.first_eye) + ", light sample " + std::to_string(ledger.first_counter));
         for (const auto& [stage, seconds] : {std::pair("gather_lights", timings.gather), std::pair("sample_pairs", timings.sample), std::pair("accumulate_pairs", timings.accumulate),
-                                            std::pair("tabulate_grids", timings.tabulate)})
+                                            std::pair("tabulate_grids", timings.tabulate), std::pair("select_lights", timings.select)})
             if (seconds > 0) report.stages.push_back({std::string(layer) + "." + stage, seconds, timings.launches});
     }
     if (counts_.shadow_segments) report.stages.push_back({"shadow_segments", counts_.visibility_seconds, counts_.shadow_segments});

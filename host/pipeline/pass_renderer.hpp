@@ -10,6 +10,7 @@
 #include "film/pass_image.hpp"
 #include "light_tracing/light_tracing.hpp"
 #include "pipeline/build_masks.hpp"
+#include "pipeline/eye_connector.hpp"
 #include "tiling/connect_pairs.hpp"
 
 namespace tyndall {
@@ -46,14 +47,9 @@ public:
     void fill(Report& report) const;
 
 private:
-    struct Connector {
-        PairStage stage;
-        ConnectSettings settings;
-    };
     void prepare_lights();
-    std::unique_ptr<Connector> make_connector(EyeKind kind);
+    std::unique_ptr<EyeConnector> make_connector(EyeKind kind);
     void add_savings(Report& report) const;
-    void connect(Connector& connector, const EyeRecords& eyes, EyeKind kind, const VirtualLights& lights, std::vector<Rgb>& image);
     void add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image);
     void add_host_layers(std::uint64_t pass, PassImage& image);
 
@@ -66,7 +62,7 @@ private:
     Visibility visibility_;
     const LightTechnique& technique_;
     std::optional<Device> device_;
-    std::unique_ptr<Connector> to_segments_, to_points_;
+    std::unique_ptr<EyeConnector> to_segments_, to_points_;
     std::optional<SelftestReport> selftest_;
     std::uint64_t light_paths_ = 0;
     StageClock clock_;

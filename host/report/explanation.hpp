@@ -39,6 +39,7 @@ struct Explanation {
     std::vector<EffectReport> effects;
     std::vector<LayerReport> layers;
     std::vector<KernelReport> kernels;
+    std::string selection;              ///< which virtual lights eyes will be connected to; empty: no virtual lights
     std::string grids;                  ///< how transmittance through density grids will be found; empty: no kernel asks
     std::vector<MemoryReport> memory;
     std::vector<SavingReport> savings;  ///< per pass

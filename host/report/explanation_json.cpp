@@ -81,6 +81,7 @@ std::string to_json(const Explanation& e)
     json["effects"] = effects_of(e);
     json["layers"] = layers_of(e);
     json["kernels"] = kernels_of(e);
+    json["chosen_lights"] = e.selection.empty() ? Json(nullptr) : Json(e.selection);
     json["density_grids"] = e.grids.empty() ? Json(nullptr) : Json(e.grids);
     json["memory"] = memory_of(e);
     json["savings"] = savings_of(e);

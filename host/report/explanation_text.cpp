@@ -54,6 +54,7 @@ void add_kernels(Text& text, const Explanation& e)
     add(text, "kernels to be built{}", e.kernels.empty() ? ": none" : "");
     for (const KernelReport& kernel : e.kernels)
         add(text, "  {:<18} {:<18} {}  ({})", kernel.layer, kernel.kernel, kernel.features, kernel.options);
+    if (!e.selection.empty()) add(text, "virtual lights per pass: {}", e.selection);
     if (!e.grids.empty()) add(text, "transmittance through density grids: {}", e.grids);
 }
 

@@ -74,6 +74,7 @@ struct Report {
     double error_upper = 0;   ///< it is below this with a confidence of 95 %; infinite: too few passes
     double target_error = 0;  ///< that was asked for; 0: none
     std::string stopped_by;  ///< "passes", "time", "target error", "interrupt"
+    std::string selection;   ///< which virtual lights eyes were connected to; empty: no virtual lights
     std::string grids;       ///< how transmittance through density grids was found; empty: no pair asked
     std::vector<EffectReport> effects;
     std::vector<SavingReport> savings;

@@ -158,6 +158,7 @@ std::string to_json(const Report& report)
     json["prediction"] = prediction_of(report);
     json["effects"] = effects_of(report);
     json["causes"] = causes_of(report);
+    json["chosen_lights"] = report.selection.empty() ? Json(nullptr) : Json(report.selection);
     json["density_grids"] = report.grids.empty() ? Json(nullptr) : Json(report.grids);
     json["savings"] = savings_of(report);
     json["layers"] = layers_of(report);

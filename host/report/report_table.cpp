@@ -40,6 +40,7 @@ void add_counts(Text& table, const Report& report)
 {
     line(table, "virtual lights", "{} from {} light paths", count(report.virtual_lights), count(report.light_paths));
     line(table, "eye segments", "{}, eye points {}", count(report.eye_segments), count(report.eye_points));
+    if (!report.selection.empty()) line(table, "chosen lights", "{}", report.selection);
     if (report.pairs && report.seconds > 0)
         line(table, "pairs", "{} ({}/s), shadow segments {} ({}/s)", count(report.pairs),
              readable_count(static_cast<double>(report.pairs) / report.seconds), count(report.shadow_segments),

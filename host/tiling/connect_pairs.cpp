@@ -68,11 +68,13 @@ std::uint64_t answer(const Visibility& visibility, const SampledTile& sampled, c
 }  // namespace
 
 std::vector<double> connect_pairs(PairStage& stage, const Visibility& visibility, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings,
-                                  ConnectCounts& counts)
+                                  ConnectCounts& counts, const LightSelection* selection)
 {
     stage.begin(eyes.records, eyes.count, lights.records, settings.vertex_limit);
-    const std::vector<PairTile> tiles = tiles_of(stage.groups(), lights.count, settings);
-    counts.pairs += std::uint64_t(eyes.count) * lights.count * settings.samples;
+    if (selection) stage.select(*selection);
+    const std::uint32_t slots = selection && lights.count > 0 ? selection->slots : lights.count;
+    const std::vector<PairTile> tiles = tiles_of(stage.groups(), slots, settings);
+    counts.pairs += std::uint64_t(eyes.count) * slots * settings.samples;
     if ((settings.features & feature_bit::occluders) == 0) {
         for (const PairTile& tile : tiles) stage.gather(tile);
         return stage.sums();

@@ -35,8 +35,8 @@ struct ConnectCounts {
     double visibility_seconds = 0;
 };
 
-/// Sum over all lights of what they send to each eye: r, g, b per eye. Byte-equal for every tile size.
+/// Sum over all lights, or over those that `selection` has chosen, of what they send to each eye: r, g, b per eye. Byte-equal for every tile size.
 std::vector<double> connect_pairs(PairStage& stage, const Visibility& visibility, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings,
-                                  ConnectCounts& counts);
+                                  ConnectCounts& counts, const LightSelection* selection = nullptr);
 
 }  // namespace tyndall

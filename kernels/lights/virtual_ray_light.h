@@ -267,4 +267,45 @@ PURE Connection connect_point(EyePointLanes eye, VirtualRayLight light, MediumRe
     return connect_point_at(eye, light, medium, tables, at, even_matter(at.v));
 }
 
+// Which lights an eye is connected to (kernels/README.md, section 14).
+
+/// Power that the light scatters, summed over channels, without 4 pi: what a choice by power alone goes by.
+PURE real light_power(VirtualRayLight light, MediumRecord medium)
+{
+    real length = (real)light.length, lost = SHORT_LIGHTS && light.is_short != 0u ? R(0.0) : R(1.0);
+    real red = (real)medium.sigma_t_r * length * lost, green = (real)medium.sigma_t_g * length * lost, blue = (real)medium.sigma_t_b * length * lost;
+    return length * fma((real)(medium.sigma_s_r * light.flux_r), expm1_over(-fmin(red, DEEPEST_GUIDE)),
+                        fma((real)(medium.sigma_s_g * light.flux_g), expm1_over(-fmin(green, DEEPEST_GUIDE)),
+                            (real)(medium.sigma_s_b * light.flux_b) * expm1_over(-fmin(blue, DEEPEST_GUIDE))));
+}
+
+/// What the light would send to an eye of this throughput and scattering, and what takes of it. `density`: that of the medium, relative to its coefficients,
+/// seen from afar.
+PURE EstimateMedia estimate_media(VirtualRayLight light, MediumRecord medium, real3 colour, real g_eye, real density)
+{
+    EstimateMedia m;
+    m.colour = mul3(colour, make_real3((real)(medium.sigma_s_r * light.flux_r), (real)(medium.sigma_s_g * light.flux_g), (real)(medium.sigma_s_b * light.flux_b)));
+    m.leg = make_real3((real)medium.sigma_t_r * density, (real)medium.sigma_t_g * density, (real)medium.sigma_t_b * density);
+    m.eye = m.leg;
+    m.light = SHORT_LIGHTS && light.is_short != 0u ? make_real3(R(0.0), R(0.0), R(0.0)) : m.leg;
+    m.guide.g_eye = g_eye, m.guide.g_light = (real)medium.g, m.guide.sigma_eye = m.guide.sigma_light = m.guide.sigma_leg = R(0.0);
+    m.lobes = ANISOTROPIC, m.coloured = COLOURED | COLOURED_GRIDS;
+    return m;
+}
+
+/// What an eye segment receives, roughly, summed over channels, up to a constant factor.
+PURE real estimate_to_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, real density)
+{
+    EstimateMedia m = estimate_media(light, medium, mul3(eye.throughput, eye_medium.sigma_s), eye_medium.g, density);
+    if (MANY_MEDIA) m.eye = eye_medium.sigma_t;
+    return rod_estimate(sub3(light_origin(light), eye.origin), eye.direction, light_direction(light), (real)light.length, eye.length, m);
+}
+
+/// What a surface point receives, the same.
+PURE real estimate_to_point(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, real density)
+{
+    EstimateMedia m = estimate_media(light, medium, eye.throughput, R(0.0), density);
+    return surface_rod_estimate(sub3(light_origin(light), eye.position), light_direction(light), (real)light.length, eye.normal, m);
+}
+
 #endif

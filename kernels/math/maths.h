@@ -15,6 +15,7 @@
 #include "kernels/math/phase_product.h"
 #include "kernels/math/phase_lobes.h"
 #include "kernels/math/rod_table.h"
+#include "kernels/math/rod_estimate.h"
 #include "kernels/math/surface_rod.h"
 #include "kernels/math/transmittance.h"
 

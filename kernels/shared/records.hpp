@@ -9,9 +9,11 @@ using uint = std::uint32_t;
 #undef LAYOUT
 #define LAYOUT(Type, bytes) static_assert(sizeof(Type) == (bytes) && alignof(Type) == 4, #Type " differs between host and device");
 #include "kernels/shared/container.h"
+#include "kernels/shared/eye_block.h"
 #include "kernels/shared/eye_point.h"
 #include "kernels/shared/eye_segment.h"
 #include "kernels/shared/grid.h"
+#include "kernels/shared/light_choice.h"
 #include "kernels/shared/medium.h"
 #include "kernels/shared/phase_lobe.h"
 #include "kernels/shared/samplers.h"

@@ -15,7 +15,7 @@ PURE Random2 numbers_of_pair(Eye eye, uint counter)
     return SEQUENCE == SEQUENCE_SOBOL ? scrambled_sobol2(eye.key, counter) : random2(eye.key, counter);
 }
 
-/// Where `count` <= PAIR_BATCH connections run, of the pairs with the numbers counter, counter + 1, ...: number / samples is the light. What few pairs need
+/// Where `count` <= PAIR_BATCH connections run, of the pairs with the numbers counter, counter + 1, ...: number / samples is the slot of the light. What few pairs need
 /// has a loop of its own, so that it takes no registers from the others.
 PURE void place_pairs(OnBoth* places, Eye eye, const EyeGroup* around, __global const Light* lights, Surroundings s, uint counter, uint count,
                                uint samples)
@@ -25,17 +25,17 @@ PURE void place_pairs(OnBoth* places, Eye eye, const EyeGroup* around, __global 
     uint by_matter = HETEROGENEOUS ? pairs_by_matter(around, s, lights, counter, count, samples) : 0u;
     for (uint i = 0; i < count; ++i) {
         if (by_matter >> i & 1u) continue;
-        Light light = lights[(counter + i) / samples];
+        Light light = lights[light_in_slot(around, (counter + i) / samples).number];
         Random2 xi = numbers_of_pair(eye, counter + i);
         on_light[i] = place_light(eye, light, medium_of(s, light), xi.first), second[i] = xi.second;
     }
     for (uint i = 0; i < count; ++i) {
         if (by_matter >> i & 1u) continue;
-        Light light = lights[(counter + i) / samples];
+        Light light = lights[light_in_slot(around, (counter + i) / samples).number];
         places[i] = place_eye(eye, light, medium_of(s, light), phase_tables(s), on_light[i], second[i]);
     }
     for (uint i = 0; by_matter >> i != 0u; ++i) {
-        uint number = (counter + i) / samples;
+        uint number = light_in_slot(around, (counter + i) / samples).number;
         if (by_matter >> i & 1u) places[i] = place_by_matter(eye, around, lights[number], s, number, numbers_of_pair(eye, counter + i));
     }
 }
@@ -56,24 +56,27 @@ PURE void connect_pairs(Connection* connections, Eye eye, const EyeGroup* around
                                  uint counter, uint count, uint samples)
 {
     for (uint i = 0; i < count; ++i) {
-        uint number = (counter + i) / samples;
+        uint number = light_in_slot(around, (counter + i) / samples).number;
         connections[i] = connect_pair(eye, around, lights[number], s, places[i], number, counter + i);
     }
     if (!HETEROGENEOUS) return;
     if (TRANSMITTANCE == TRANSMITTANCE_EXACT) return;
     uint corrected = corrected_pairs(around, counter, count);
     for (uint i = 0; corrected >> i != 0u; ++i) {
-        uint number = (counter + i) / samples;
+        uint number = light_in_slot(around, (counter + i) / samples).number;
         if (corrected >> i & 1u) connections[i].radiance = corrected_radiance(eye, around, lights[number], s, places[i], number, connections[i].radiance);
     }
 }
 
 /// A connection's radiance, with its ledger. What is not finite is counted (0: how many, 1 and 2: the first eye and counter) and taken out of the sum; pairs
 /// under the floor are counted (3) and stay.
-PURE real3 counted_radiance(Eye eye, const EyeGroup* around, Light light, Connection c, uint vertex_limit, uint counter, __global uint* ledger)
+PURE real3 counted_radiance(Eye eye, const EyeGroup* around, __global const Light* lights, Connection c, uint samples, uint vertex_limit, uint counter,
+                            __global uint* ledger)
 {
+    SlotLight slot = light_in_slot(around, counter / samples);
+    if (SELECTION) c.radiance = scale3(c.radiance, (real)slot.weight);
     if (DEPTH_LIMIT) {
-        mask allowed = to_mask(eye.depth + light.depth + 2u <= vertex_limit);
+        mask allowed = to_mask(eye.depth + lights[slot.number].depth + 2u <= vertex_limit);
         c.radiance = select3(make_real3(R(0.0), R(0.0), R(0.0)), c.radiance, allowed);
     }
     if (any_lane(c.floored)) atomic_add(&ledger[3], count_lanes(c.floored));

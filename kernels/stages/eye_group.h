@@ -8,6 +8,7 @@
 typedef struct {
     uint number;             ///< of the group of LANES
     FacingPlanes facing;
+    __global const LightChoice* choices;  ///< of the group of EYE_GROUP; unspecified without SELECTION
     // Density grids, unspecified without them:
     MediaOfGroup media;
     OpticalTable table;      ///< what lies along the eye segments
@@ -29,9 +30,24 @@ PURE float mean_depth(Surroundings s, __global const EyeRecord* eyes, __global c
     return sum / (3.0f * (float)EYE_GROUP);
 }
 
-PURE void find_group(EyeGroup* around, Surroundings s, Eye eye, __global const EyeRecord* eyes, uint group)
+/// Which light a slot of the group's connections goes to, and what its contribution counts.
+typedef struct {
+    uint number;
+    float weight;
+} SlotLight;
+PURE SlotLight light_in_slot(const EyeGroup* around, uint slot)
+{
+    SlotLight all = {slot, 1.0f};
+    if (!SELECTION) return all;
+    SlotLight chosen = {around->choices[slot].light, around->choices[slot].weight};
+    return chosen;
+}
+
+/// `slots`: lights that every eye connects to.
+PURE void find_group(EyeGroup* around, Surroundings s, Eye eye, __global const EyeRecord* eyes, uint group, __global const LightChoice* choices, uint slots)
 {
     around->number = group;
+    around->choices = choices + (SELECTION ? group * LANES / EYE_GROUP * slots : 0u);
     find_facing_planes(&around->facing, s, eye_position(eye));
     if (!HETEROGENEOUS) return;
     uint first = group * LANES / EYE_GROUP * EYE_GROUP;

@@ -32,6 +32,8 @@ PURE Connection connect_eye(Eye eye, Light light, MediumRecord medium, PhaseTabl
     return connect_point_at(eye.geometry, light, medium, tables, at, on_light);
 }
 
+static inline real estimate_light(Eye eye, Light light, MediumRecord medium, real density) { return estimate_to_point(eye.geometry, light, medium, density); }
+
 /// Nothing lies along a point.
 PURE Matter matter_to_eye(OnBoth at) { return even_matter(R(0.0)); }
 

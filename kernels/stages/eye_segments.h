@@ -37,6 +37,11 @@ PURE Connection connect_eye(Eye eye, Light light, MediumRecord medium, PhaseTabl
     return connect_segment_at(eye.geometry, eye.medium, light, medium, tables, at, on_eye, on_light);
 }
 
+static inline real estimate_light(Eye eye, Light light, MediumRecord medium, real density)
+{
+    return estimate_to_segment(eye.geometry, eye.medium, light, medium, density);
+}
+
 /// What lies along an eye in homogeneous media.
 PURE Matter matter_to_eye(OnBoth at) { return even_matter(at.u); }
 

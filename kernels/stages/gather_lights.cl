@@ -2,7 +2,7 @@
 #include "kernels/stages/pair_stage.h"
 
 __kernel void gather_lights(__global const EyeRecord* eyes, uint first_group, uint groups, __global const Light* lights, uint first, uint count,
-                            uint samples, uint vertex_limit, SURROUNDINGS_PARAMETERS, TABLES_PARAMETERS,
+                            uint samples, uint vertex_limit, SURROUNDINGS_PARAMETERS, TABLES_PARAMETERS, __global const LightChoice* choices, uint slots,
                             __global float* sums, __global uint* ledger)
 {
     if (get_global_id(0) >= groups) return;
@@ -10,7 +10,7 @@ __kernel void gather_lights(__global const EyeRecord* eyes, uint first_group, ui
     Surroundings s = SURROUNDINGS;
     Eye eye = load_eye(eyes, group, s);
     EyeGroup around;
-    find_group(&around, s, eye, eyes, group);
+    find_group(&around, s, eye, eyes, group, choices, slots);
     LongSum3 sum = load_sums(sums, group);
     for (uint block = first; block < first + count; block += LIGHT_BLOCK) {
         real3 partial = make_real3(R(0.0), R(0.0), R(0.0));
@@ -22,7 +22,7 @@ __kernel void gather_lights(__global const EyeRecord* eyes, uint first_group, ui
             place_pairs(places, eye, &around, lights, s, pair, batch, samples);
             connect_pairs(connections, eye, &around, lights, s, places, pair, batch, samples);
             for (uint i = 0; i < batch; ++i)
-                partial = add3(partial, counted_radiance(eye, &around, lights[(pair + i) / samples], connections[i], vertex_limit, pair + i, ledger));
+                partial = add3(partial, counted_radiance(eye, &around, lights, connections[i], samples, vertex_limit, pair + i, ledger));
         }
         sum = add_block(sum, partial);
     }

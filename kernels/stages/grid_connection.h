@@ -53,7 +53,7 @@ PURE uint pairs_by_matter(const EyeGroup* around, Surroundings s, __global const
 {
     uint pairs = 0u;
     for (uint i = 0; i < count; ++i) {
-        uint number = (counter + i) / samples;
+        uint number = light_in_slot(around, (counter + i) / samples).number;
         float share = share_of_matter(around, s, lights[number], number);
         if (share > 0.0f && (float)(shared_bits(around, counter + i, SALT_STRATEGY) >> 8) * 0x1p-24f < share) pairs |= 1u << i;
     }

@@ -14,6 +14,8 @@
 #include "kernels/shared/eye_segment.h"
 #include "kernels/shared/eye_point.h"
 #include "kernels/shared/shadow_packet.h"
+#include "kernels/shared/eye_block.h"
+#include "kernels/shared/light_choice.h"
 #include "kernels/volumes/grid_walk.h"
 #include "kernels/volumes/grid_lookup.h"
 #include "kernels/volumes/grid_march.h"

@@ -2,7 +2,7 @@
 #include "kernels/stages/pair_stage.h"
 
 __kernel void sample_pairs(__global const EyeRecord* eyes, uint first_group, uint groups, __global const Light* lights, uint first, uint count,
-                           uint samples, uint vertex_limit, SURROUNDINGS_PARAMETERS, TABLES_PARAMETERS,
+                           uint samples, uint vertex_limit, SURROUNDINGS_PARAMETERS, TABLES_PARAMETERS, __global const LightChoice* choices, uint slots,
                             __global ShadowPacket* packets, __global float* contributions,
                            __global uint* ledger)
 {
@@ -12,7 +12,7 @@ __kernel void sample_pairs(__global const EyeRecord* eyes, uint first_group, uin
     Surroundings s = SURROUNDINGS;
     Eye eye = load_eye(eyes, group, s);
     EyeGroup around;
-    find_group(&around, s, eye, eyes, group);
+    find_group(&around, s, eye, eyes, group, choices, slots);
     uint packet_row = local_group * LANES / SHADOW_PACKET_SIZE * pairs, offset = local_group * LANES % SHADOW_PACKET_SIZE;
     for (uint pair = 0; pair < pairs; pair += PAIR_BATCH) {
         OnBoth places[PAIR_BATCH];
@@ -22,7 +22,7 @@ __kernel void sample_pairs(__global const EyeRecord* eyes, uint first_group, uin
         connect_pairs(connections, eye, &around, lights, s, places, counter, batch, samples);
         for (uint i = 0; i < batch; ++i) {
             Connection c = connections[i];
-            c.radiance = counted_radiance(eye, &around, lights[(counter + i) / samples], c, vertex_limit, counter + i, ledger);
+            c.radiance = counted_radiance(eye, &around, lights, c, samples, vertex_limit, counter + i, ledger);
             __global float* contribution = contributions + (local_group * pairs + pair + i) * 3u * LANES;
             store_lanes(c.radiance.x, 0, contribution), store_lanes(c.radiance.y, 1, contribution), store_lanes(c.radiance.z, 2, contribution);
             store_shadow_segment(c, packets + packet_row + pair + i, offset);

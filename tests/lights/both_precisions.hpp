@@ -83,7 +83,7 @@ struct Float {
 };
 
 /// Mean over a midpoint grid of random numbers: the integrand is smooth in them.
-glm::dvec3 mean_over_segment(const Pair& p, int n, const Lobes& lobes = {})
+[[maybe_unused]] glm::dvec3 mean_over_segment(const Pair& p, int n, const Lobes& lobes = {})
 {
     glm::dvec3 sum(0);
     for (int i = 0; i < n; ++i)
@@ -91,7 +91,7 @@ glm::dvec3 mean_over_segment(const Pair& p, int n, const Lobes& lobes = {})
     return sum / double(n * n);
 }
 
-void expect_near(const glm::dvec3& ours, const glm::dvec3& oracle, double tolerance, const std::string& what)
+[[maybe_unused]] void expect_near(const glm::dvec3& ours, const glm::dvec3& oracle, double tolerance, const std::string& what)
 {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(ours[c] / oracle[c], 1, tolerance) << what << ", channel " << c << ": " << ours[c] << " against " << oracle[c];
 }

@@ -38,6 +38,13 @@ enum class GridTransmittance {
     exact,  ///< cell by cell for every pair
 };
 
+/// Which virtual lights of a pass an eye is connected to. Both are unbiased.
+enum class Selection {
+    automatic,  ///< the one that wins at equal time (host/docs/performance.md)
+    all,        ///< every light
+    tile,       ///< some, chosen by an estimate that a square of pixels shares
+};
+
 struct Crop {
     int x = 0, y = 0, width = 0, height = 0;
 };
@@ -62,6 +69,11 @@ struct RenderSettings {
     int lanes = 0;                     ///< 1, 4, 8, 16; 0: chosen by fixed rule from the device
     std::uint32_t tile_pairs = 0;      ///< pairs per tile; 0: default. Never changes a byte
     int samples_per_pair = 1;
+    Selection selection = Selection::automatic;
+    std::uint32_t selected_lights = 0; ///< per pixel and pass; 0: by rule
+    int selection_block = 0;           ///< pixels across of the squares that share an estimate, 4, 8 or 16; 0: by rule
+    double selection_defence = -1;     ///< share of the choice that goes by power alone, in [0, 1]; negative: by rule
+    int camera_samples = 0;            ///< per pixel and pass, for virtual lights; 0: by rule
     double skip_thin = 0;              ///< leave media_to_media out if at most this share of what media scatter is scattered there again (biased); 0: never
     bool selftest = true;              ///< golden cases before a device renders for the first time; false: at the user's own risk
 };

@@ -21,13 +21,14 @@ const std::string nested_fog = shadowed_fog + medium("smoke", Rgb(3), Rgb(.6)) +
 
 struct NamedScene {
     std::string name, body;
+    Selection selection = Selection::tile;
 };
 void PrintTo(const NamedScene& scene, std::ostream* out) { *out << scene.name; }
 
 class Sameness : public testing::TestWithParam<NamedScene> {
 protected:
     const Scene scene = scene_of(GetParam().body);
-    const RenderSettings settings{.passes = 3, .lights = 600};  // two blocks and a part of one
+    const RenderSettings settings{.passes = 3, .lights = 600, .selection = GetParam().selection, .selected_lights = 600};  // two blocks and a part of one
     const WholeRender original = render_whole(scene, settings);
 };
 
@@ -89,7 +90,8 @@ TEST_P(Sameness, LayersThatAreTurnedOffLeaveTheOthersAlone)
 
 INSTANTIATE_TEST_SUITE_P(Of, Sameness,
                          testing::Values(NamedScene{"ClearFog", clear_fog}, NamedScene{"ShadowedFog", shadowed_fog},
-                                         NamedScene{"NestedFog", nested_fog}),
+                                         NamedScene{"NestedFog", nested_fog}, NamedScene{"ClearFogAllLights", clear_fog, Selection::all},
+                                         NamedScene{"ShadowedFogAllLights", shadowed_fog, Selection::all}),
                          [](const auto& info) { return info.param.name; });
 
 TEST(SamplesPerPair, ChangeTheNoiseOnly)

@@ -1,0 +1,135 @@
+#pragma once
+/// What PairStage holds; the files of host/device that implement it include this.
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "device/device_state.hpp"
+#include "device/kernel_source.hpp"
+#include "device/pair_stage.hpp"
+#include "kernels/shared/host_features.hpp"
+
+namespace tyndall {
+
+template <typename T>
+std::span<const std::byte> bytes_of(const std::vector<T>& values)
+{
+    return std::as_bytes(std::span(values));
+}
+
+/// One of two tiles on their way.
+struct TileSlot {
+    GrowingBuffer packets{CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR}, contributions{CL_MEM_READ_WRITE | CL_MEM_ALLOC_HOST_PTR};
+    PairTile tile;
+    void *mapped_packets = nullptr, *mapped_contributions = nullptr;
+    cl::Event ready;
+};
+
+enum class Timed { gather, sample, accumulate, tabulate, select };
+
+inline constexpr std::size_t table_nodes = 65;  ///< kernels/volumes/optical_table.h
+
+inline std::uint32_t work_items(std::uint32_t groups, std::uint32_t local) { return (groups + local - 1) / local * local; }
+
+struct PairStage::State {
+    DeviceState& device;
+    PairProgram program;
+    cl::Kernel gather, sample, accumulate, tabulate_lights, tabulate_eyes, estimate, weigh, select;
+    GrowingBuffer eyes{CL_MEM_READ_ONLY}, lights{CL_MEM_READ_ONLY}, media{CL_MEM_READ_ONLY}, containers{CL_MEM_READ_ONLY}, planes{CL_MEM_READ_ONLY};
+    GrowingBuffer lobes{CL_MEM_READ_ONLY}, phase_values{CL_MEM_READ_ONLY}, grids{CL_MEM_READ_ONLY}, voxels{CL_MEM_READ_ONLY};
+    GrowingBuffer eye_tables{CL_MEM_READ_WRITE}, light_tables{CL_MEM_READ_WRITE};
+    GrowingBuffer standing{CL_MEM_READ_ONLY}, blocks{CL_MEM_READ_ONLY}, estimates{CL_MEM_READ_WRITE}, powers{CL_MEM_READ_WRITE}, ticks{CL_MEM_READ_WRITE}, totals{CL_MEM_READ_WRITE}, choices{CL_MEM_READ_WRITE};
+    GrowingBuffer sums{CL_MEM_READ_WRITE}, ledger{CL_MEM_READ_WRITE};
+    std::array<TileSlot, 2> slots;
+    std::uint32_t eye_count = 0, light_count = 0, slot_count = 0, vertex_limit = 0, container_count = 0;
+    std::vector<std::pair<Timed, cl::Event>> events;
+    PairTimings timings;
+
+    bool has_grids() const { return (program.features & feature_bit::heterogeneous) != 0; }
+    std::size_t table_bytes() const { return (table_nodes * (program.features & feature_bit::coloured_grids ? 3 : 1) + 1) * sizeof(float); }
+    std::uint32_t lanes() const { return static_cast<std::uint32_t>(program.lanes); }
+    std::uint32_t pairs_in(const PairTile& tile) const { return tile.lights * program.samples; }
+    std::size_t packet_count(const PairTile& tile) const { return std::size_t(tile.groups) * lanes() / SHADOW_PACKET_SIZE * pairs_in(tile); }
+    std::size_t contribution_count(const PairTile& tile) const { return std::size_t(tile.groups) * lanes() * pairs_in(tile) * 3; }
+
+    void build(const KernelBuild& wanted)
+    {
+        const std::string eye = program.eyes == EyeKind::segments || wanted.serves_all() ? "eye_segments" : "eye_points", light = wanted.serves_all() ? PairProgram{}.light : program.light;
+        const std::string text = flattened_kernel("kernels/stages/" + wanted.file() + ".cl",
+                                                  {{"LIGHT", "kernels/lights/" + light + ".h"}, {"EYE", "kernels/stages/" + eye + ".h"}});
+        const cl::Program built = build_program(device, text, wanted.options);
+        cl::Kernel& kernel = kernel_of(wanted.name);
+        kernel = on_device(device, "creating a kernel", [&] { return cl::Kernel(built, wanted.name.c_str()); });
+    }
+
+    cl::Kernel& kernel_of(const std::string& name)
+    {
+        if (name == "tabulate_lights") return tabulate_lights;
+        if (name == "tabulate_eyes") return tabulate_eyes;
+        if (name == "estimate_lights") return estimate;
+        if (name == "weigh_lights") return weigh;
+        if (name == "select_lights") return select;
+        return name == "gather_lights" ? gather : name == "accumulate_pairs" ? accumulate : sample;
+    }
+
+    /// What all kernels take of media; returns the next index.
+    cl_uint set_surroundings(cl::Kernel& kernel, cl_uint i)
+    {
+        kernel.setArg(i++, media.get()), kernel.setArg(i++, containers.get()), kernel.setArg(i++, planes.get()), kernel.setArg(i++, container_count);
+        kernel.setArg(i++, lobes.get()), kernel.setArg(i++, phase_values.get()), kernel.setArg(i++, grids.get()), kernel.setArg(i++, voxels.get());
+        return i;
+    }
+
+    /// Room for the tables, and the tables themselves.
+    void tabulate(std::uint32_t light_count)
+    {
+        eye_tables.reserve(device, has_grids() && program.eyes == EyeKind::segments ? eye_count * table_bytes() : 0);
+        light_tables.reserve(device, has_grids() ? light_count * table_bytes() : 0);
+        if (!has_grids()) return;
+        const auto run = [&](cl::Kernel& kernel, GrowingBuffer& records, GrowingBuffer& tables, std::uint32_t items) {
+            if (items == 0) return;
+            kernel.setArg(0, records.get()), kernel.setArg(1, items);
+            kernel.setArg(set_surroundings(kernel, 2), tables.get());
+            launch(Timed::tabulate, kernel, items);
+        };
+        on_device(device, "tabulating what lies along lights and eyes", [&] {
+            run(tabulate_lights, lights, light_tables, light_count);
+            if (program.eyes == EyeKind::segments) run(tabulate_eyes, eyes, eye_tables, eye_count / lanes());
+        });
+    }
+
+    /// The arguments that gather and sample share; returns the next index.
+    cl_uint set_common(cl::Kernel& kernel, const PairTile& tile)
+    {
+        cl_uint i = 0;
+        kernel.setArg(i++, eyes.get()), kernel.setArg(i++, tile.first_group), kernel.setArg(i++, tile.groups);
+        kernel.setArg(i++, lights.get()), kernel.setArg(i++, tile.first_light), kernel.setArg(i++, tile.lights);
+        kernel.setArg(i++, program.samples), kernel.setArg(i++, vertex_limit);
+        i = set_surroundings(kernel, i);
+        kernel.setArg(i++, eye_tables.get()), kernel.setArg(i++, light_tables.get());
+        kernel.setArg(i++, choices.get()), kernel.setArg(i++, slot_count);
+        return i;
+    }
+
+    void launch(Timed what, cl::Kernel& kernel, std::uint32_t groups)
+    {
+        const std::uint32_t local = what == Timed::gather || groups >= 256 ? 8 : 1;  // some drivers compile a kernel again for every local size
+        cl::Event event;
+        device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(work_items(groups, local)), cl::NDRange(local), nullptr, &event);
+        ++timings.launches;
+        if (device.time_stamps) events.emplace_back(what, event);
+    }
+
+    void harvest()
+    {
+        for (auto& [what, event] : events) {
+            const double seconds = 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() - event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
+            double* const sums[] = {&timings.gather, &timings.sample, &timings.accumulate, &timings.tabulate, &timings.select};
+            *sums[static_cast<std::size_t>(what)] += seconds;
+            timings.largest_launch = std::max(timings.largest_launch, seconds);
+        }
+        events.clear();
+    }
+};
+
+}  // namespace tyndall

@@ -1,0 +1,41 @@
+#pragma once
+/// Connects the eyes of a pass with its virtual lights: with all of them, or with those that are chosen for each block of pixels.
+#include <cstdint>
+#include <vector>
+
+#include "eye_tracing/eye_tracing.hpp"
+#include "lights/light_technique.hpp"
+#include "light_tracing/light_tracing.hpp"
+#include "pipeline/light_selection_plan.hpp"
+#include "tiling/connect_pairs.hpp"
+
+namespace tyndall {
+
+class EyeConnector {
+public:
+    EyeConnector(PairStage stage, const ConnectSettings& settings, const SelectionPlan& selection, int film_width)
+        : stage_(std::move(stage)), settings_(settings), selection_(selection), film_width_(film_width)
+    {
+    }
+
+    /// Adds to `image`, one entry per pixel, what `lights` send to the eyes of that kind. `key`: random, of the pass.
+    void connect(const EyeRecords& eyes, EyeKind kind, const VirtualLights& lights, const Visibility& visibility, std::uint64_t key, ConnectCounts& counts,
+                 std::vector<Rgb>& image);
+
+    const PairStage& stage() const { return stage_; }
+    const ConnectSettings& settings() const { return settings_; }
+
+private:
+    template <typename Eye>
+    void connect_all(std::span<const Eye> eyes, const VirtualLights& lights, const Visibility& visibility, ConnectCounts& counts, std::vector<Rgb>& image);
+    template <typename Eye>
+    void connect_chosen(std::span<const Eye> eyes, std::span<const std::size_t> ends, const VirtualLights& lights, const Visibility& visibility, std::uint64_t key, ConnectCounts& counts,
+                        std::vector<Rgb>& image);
+
+    PairStage stage_;
+    ConnectSettings settings_;
+    SelectionPlan selection_;
+    int film_width_;
+};
+
+}  // namespace tyndall

@@ -1,0 +1,31 @@
+#pragma once
+/// How many virtual lights a pass has, and which of them it connects each eye to.
+#include <cstdint>
+#include <string>
+
+#include "scene/scene.hpp"
+#include "tyndall/settings.hpp"
+
+namespace tyndall {
+
+struct SelectionPlan {
+    std::uint32_t lights = 0;  ///< per pass, aimed at
+    bool chosen = false;       ///< false: every eye connects to every light
+    std::uint32_t slots = 0;   ///< lights per pixel and pass, over all its camera samples; all of them unless `chosen`
+    int block = 8;             ///< pixels across of the squares that share an estimate
+    double defence = .1;       ///< share that goes by power alone
+    int camera_samples = 1;    ///< per pixel and pass, for virtual lights
+    std::string why;
+
+    std::uint32_t slots_per_sample() const { return slots / static_cast<std::uint32_t>(camera_samples); }
+};
+
+/// The settings' wishes, and where they leave something open a fixed rule of image size and time budget, never of a clock, so that the bytes do not depend on
+/// the machine (host/docs/performance.md has the measurements): 2048 lights of which each pixel is connected to 64, chosen by an estimate per 8 x 8 pixels; all
+/// lights if fewer than 512 are asked for, or if the time budget is less than twelve such passes (default_lights).
+SelectionPlan plan_selection(const RenderSettings& settings, const Camera& camera);
+
+/// One line for people.
+std::string to_text(const SelectionPlan& plan);
+
+}  // namespace tyndall

@@ -1,0 +1,86 @@
+#include "tiling/eye_blocks.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+#include "device/pair_stage.hpp"
+
+namespace tyndall {
+namespace {
+
+struct Placed {
+    std::uint32_t square, medium, depth, piece, sample;  ///< the block's identity
+    std::uint32_t lattice, index;                ///< order within it
+    int from_middle;                             ///< squared distance of the pixel, in half pixels
+};
+
+auto without_sample(const Placed& p) { return std::tie(p.square, p.medium, p.depth, p.piece); }
+auto identity(const Placed& p) { return std::tie(p.square, p.medium, p.depth, p.piece, p.sample); }
+
+/// How many earlier eyes of the same camera path are in the same medium at the same depth?
+std::uint32_t piece_number(std::span<const EyePlace> eyes, std::size_t i)
+{
+    std::uint32_t number = 0;
+    for (std::size_t j = i; j > 0 && eyes[j - 1].pixel == eyes[i].pixel && eyes[j - 1].sample == eyes[i].sample; --j)
+        if (eyes[j - 1].medium == eyes[i].medium && eyes[j - 1].depth == eyes[i].depth) ++number;
+    return number;
+}
+
+std::vector<Placed> placed_eyes(std::span<const EyePlace> eyes, const BlockGrid& grid)
+{
+    const int across = (grid.width + grid.size - 1) / grid.size + 1, step = std::max(grid.size / 4, 1);
+    std::vector<Placed> placed(eyes.size());
+    for (std::size_t i = 0; i < eyes.size(); ++i) {
+        const int x = static_cast<int>(eyes[i].pixel) % grid.width + grid.offset_x, y = static_cast<int>(eyes[i].pixel) / grid.width + grid.offset_y;
+        const int dx = 2 * (x % grid.size) + 1 - grid.size, dy = 2 * (y % grid.size) + 1 - grid.size;
+        placed[i] = {.square = static_cast<std::uint32_t>(y / grid.size * across + x / grid.size),
+                     .medium = eyes[i].medium,
+                     .depth = eyes[i].depth,
+                     .piece = piece_number(eyes, i),
+                     .sample = eyes[i].sample,
+                     .lattice = static_cast<std::uint32_t>(y % step * step + x % step),
+                     .index = static_cast<std::uint32_t>(i),
+                     .from_middle = dx * dx + dy * dy};
+    }
+    std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
+        return std::tuple_cat(identity(a), std::tie(a.lattice, a.index)) < std::tuple_cat(identity(b), std::tie(b.lattice, b.index));
+    });
+    return placed;
+}
+
+std::uint32_t mixed(std::uint32_t key, std::uint32_t number)
+{
+    std::uint64_t x = (std::uint64_t(key) << 32 | number) * 0x9e3779b97f4a7c15ull;
+    return static_cast<std::uint32_t>((x ^ x >> 29) * 0xbf58476d1ce4e5b9ull >> 32);
+}
+
+/// Appends the eyes first ... last - 1 as a block, padded.
+void add_block(std::span<const Placed> placed, std::size_t first, std::size_t last, const BlockGrid& grid, EyeBlocks& all)
+{
+    const auto start = static_cast<std::uint32_t>(all.order.size() / eye_alignment);
+    for (std::size_t i = first; i < last; ++i) all.order.push_back(placed[i].index);
+    while (all.order.size() % eye_alignment != 0) all.order.push_back(no_eye);
+    const auto standing = static_cast<std::uint32_t>(all.standing.size() - 1), groups = static_cast<std::uint32_t>(all.order.size() / eye_alignment) - start;
+    all.blocks.push_back({start, groups, mixed(grid.key, standing), standing, placed[first].sample, static_cast<std::uint32_t>(grid.samples), 0, 0});
+}
+
+}  // namespace
+
+EyeBlocks block_eyes(std::span<const EyePlace> eyes, const BlockGrid& grid)
+{
+    const std::vector<Placed> placed = placed_eyes(eyes, grid);
+    EyeBlocks all;
+    for (std::size_t first = 0, last = 0; first < placed.size(); first = last) {
+        std::size_t middle = first;
+        for (last = first; last < placed.size() && without_sample(placed[last]) == without_sample(placed[first]); ++last)
+            if (placed[last].from_middle < placed[middle].from_middle) middle = last;
+        all.standing.push_back(placed[middle].index);
+        for (std::size_t from = first, to = first; from < last; from = to) {
+            while (to < last && placed[to].sample == placed[from].sample) ++to;
+            add_block(placed, from, to, grid, all);
+        }
+    }
+    return all;
+}
+
+}  // namespace tyndall

@@ -1,0 +1,105 @@
+/// What a virtual ray light sends to an eye segment or a surface point, roughly and in few operations: where the choice of lights is made, not the image
+/// (kernels/README.md, section 14). Everything is bounded and nothing is random.
+#ifndef ROD_ESTIMATE_H
+#define ROD_ESTIMATE_H
+
+#include "kernels/math/rod_table.h"
+
+#define ESTIMATE_NODES 2   ///< along the light
+#define ESTIMATE_ANGLES 3  ///< of the eye segment, seen from each
+
+/// A block of pixels sees a lobe under many angles: the estimate is the mean of a lobe that is slightly and of one that is much broader than the medium's.
+#define NARROW_LOBE R(0.95)
+#define BROAD_LOBE R(0.6)
+
+/// Mean cosines times `breadth`, and what makes the product of both lobes comparable between media: (1 - g^2) (1 - g^2).
+typedef struct { real g_eye, g_light, scale; } GuideLobes;
+PURE GuideLobes guide_lobes(GuideMedia media, real breadth)
+{
+    GuideLobes l = {media.g_eye * breadth, media.g_light * breadth, R(1.0)};
+    l.scale = fma(-l.g_eye, l.g_eye, R(1.0)) * fma(-l.g_light, l.g_light, R(1.0));
+    return l;
+}
+
+PURE real guide_product(GuideLobes l, real mu_eye, real mu_light)
+{
+    real over = R(1.0) / (blunt_lobe(l.g_eye, mu_eye) * blunt_lobe(l.g_light, mu_light));
+    return l.scale * over * sqrt(over);
+}
+
+/// Mean of the narrow and the broad product of phase functions, times (4 pi)^2.
+PURE real guide_phase(GuideMedia media, real mu_eye, real mu_light)
+{
+    return R(0.5) * (guide_product(guide_lobes(media, NARROW_LOBE), mu_eye, mu_light) + guide_product(guide_lobes(media, BROAD_LOBE), mu_eye, mu_light));
+}
+
+/// What an estimate goes by: a light's colour times what it loses. Extinctions along eye segment, light and connection, per unit of length and channel.
+typedef struct {
+    real3 colour;                 ///< of what would arrive if nothing were lost on the way
+    real3 eye, light, leg;
+    GuideMedia guide;             ///< its mean cosines
+    int lobes, coloured;          ///< known when the kernel is built: phase functions matter; channels differ in extinction
+} EstimateMedia;
+
+PURE real channel_left(real colour, real eye, real light, real leg, real u, real v, real w)
+{
+    return colour * decay(fmin(fma(eye, u, fma(light, v, leg * w)), DEEPEST_GUIDE));
+}
+
+/// Sum over channels of what is left after u along the eye segment, v along the light and w between.
+PURE real colour_left(EstimateMedia m, real u, real v, real w)
+{
+    if (!m.coloured) return channel_left(m.colour.x + m.colour.y + m.colour.z, m.eye.x, m.light.x, m.leg.x, u, v, w);
+    return channel_left(m.colour.x, m.eye.x, m.light.x, m.leg.x, u, v, w) + channel_left(m.colour.y, m.eye.y, m.light.y, m.leg.y, u, v, w) +
+           channel_left(m.colour.z, m.eye.z, m.light.z, m.leg.z, u, v, w);
+}
+
+/// Sum over channels of the integral over light and segment of colour x phase functions x transmittance / w^2, times (4 pi)^2: the mid-point rule in the rod
+/// variable and in the angle.
+PURE real rod_estimate(real3 q, real3 a, real3 b, real length, real eye_length, EstimateMedia media)
+{
+    RodFrame f = rod_frame(q, a, b, length);
+    RodPiece whole = rod_whole(f);
+    RodView view = rod_view(f, q, a, b, eye_length, media.guide);
+    TableShape shape = {ESTIMATE_NODES, ESTIMATE_ANGLES, 0};
+    RodNode node[ESTIMATE_NODES];
+    real v[ESTIMATE_NODES], sum = R(0.0);
+    for (int k = 0; k < ESTIMATE_NODES; ++k) {
+        v[k] = rod_place(f, whole, (real)(((float)k + 0.5f) / (float)ESTIMATE_NODES));
+        node[k] = rod_node(f, view, shape, v[k]);
+    }
+    for (int i = 0; i < ESTIMATE_ANGLES; ++i)
+        for (int k = 0; k < ESTIMATE_NODES; ++k) {
+            RodNode n = node[k];
+            real over = R(1.0) / fmax(n.sine, REAL_EPSILON), furthest = n.D + fmax(fabs(n.foot), fabs(view.eye_length - n.foot));
+            real w = fmin(n.D * over, furthest), u = fmin(fmax(fma(-n.D * n.cosine, over, n.foot), R(0.0)), view.eye_length);
+            real value = colour_left(media, u * f.scale, v[k] * f.scale, w * f.scale) * n.angle;
+            if (media.lobes) value = value * guide_phase(media.guide, n.cosine, fma(n.across, n.sine, -view.slope * n.cosine));
+            sum = sum + value;
+            node[k] = turned_node(n);
+        }
+    return whole.potential * sum * (real)(1.0f / (float)(ESTIMATE_NODES * ESTIMATE_ANGLES));
+}
+
+/// A surface point's block sees the light from points with other normals too: a share that does not ask for the cosine.
+#define ESTIMATE_ANY_NORMAL R(0.1)
+
+/// Sum over channels of the integral over the light of colour x cosine x phase function x transmittance / w^2, per unit of length, times 4 pi. p: the light's
+/// origin seen from the point.
+PURE real surface_rod_estimate(real3 p, real3 b, real length, real3 n, EstimateMedia media)
+{
+    real3 from = make_real3(-p.x, -p.y, -p.z);
+    real sum = R(0.0), over_distance = R(0.0);
+    media.guide.g_eye = R(0.0);
+    for (int k = 0; k < ESTIMATE_NODES; ++k) {
+        AngleSample at = sample_equiangular(from, b, length, (real)(((float)k + 0.5f) / (float)ESTIMATE_NODES));
+        real3 d = along3(p, at.u, b);
+        real w = length3(d), over = R(1.0) / fmax(w, REAL_SMALLEST);
+        real value = (ESTIMATE_ANY_NORMAL + fmax(dot3(n, d) * over, R(0.0))) * colour_left(media, R(0.0), at.u, w);
+        if (media.lobes) value = value * guide_phase(media.guide, R(1.0), -dot3(b, d) * over);
+        sum = sum + value, over_distance = at.angle_over_distance;
+    }
+    return over_distance * sum * (real)(1.0f / (float)ESTIMATE_NODES);
+}
+
+#endif

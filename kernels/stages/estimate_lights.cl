@@ -1,0 +1,40 @@
+// Selection, first step: what each light sends, roughly, to each of the eyes that stand for a block of pixels. One work-item per LANES blocks and LIGHT_BLOCK lights.
+#include "kernels/stages/pair_stage.h"
+
+/// Density grids: the mean density along a light stands for that of everything around it. It bends the choice, not the image.
+PURE float density_around(Surroundings s, Light light, uint number)
+{
+    MediumRecord medium = medium_of(s, light);
+    if (!HETEROGENEOUS) return 1.0f;
+    if (medium.density_grid == NO_GRID) return 1.0f;
+    float unit = (medium.sigma_t_r + medium.sigma_t_g + medium.sigma_t_b) / 3.0f * light.length;
+    return unit > 0.0f ? depth_of_light(s, light, number) / unit : 0.0f;
+}
+
+/// A light that no path of the allowed length can join is never chosen: -1.
+PURE real allowed_estimate(Eye eye, Light light, real estimate, uint vertex_limit)
+{
+    if (!DEPTH_LIMIT) return estimate;
+    return select(R(-1.0), estimate, to_mask(eye.depth + light.depth + 2u <= vertex_limit));
+}
+
+__kernel void estimate_lights(__global const EyeRecord* eyes, uint groups, __global const Light* lights, uint count, uint vertex_limit,
+                              SURROUNDINGS_PARAMETERS, TABLES_PARAMETERS, __global float* estimates, __global float* powers)
+{
+    uint light_blocks = (count + LIGHT_BLOCK - 1u) / LIGHT_BLOCK, group = get_global_id(0) / light_blocks, first = get_global_id(0) % light_blocks * LIGHT_BLOCK;
+    if (group >= groups) return;
+    Surroundings s = SURROUNDINGS;
+    Eye eye = load_eye(eyes, group, s);
+    for (uint number = first; number < min(first + LIGHT_BLOCK, count); ++number) {
+        Light light = lights[number];
+        MediumRecord medium = medium_of(s, light);
+        float density = density_around(s, light, number);
+        real estimate = estimate_light(eye, light, medium, (real)density) * (real)density;
+        estimate = select(R(0.0), fmin(estimate, R(1e30)), estimate > R(0.0));               // not a number: 0
+        store_lanes(allowed_estimate(eye, light, estimate, vertex_limit), 0, estimates + ((size_t)group * count + number) * LANES);
+        if (group > 0u) continue;
+        float power[LANES];
+        store_lanes(light_power(light, medium) * (real)density, 0, power);
+        powers[number] = power[0] > 0.0f ? fmin(power[0], 1e30f) : 0.0f;
+    }
+}
