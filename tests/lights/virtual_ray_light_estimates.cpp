@@ -80,7 +80,7 @@ TEST(LightEstimate, ToSegmentsFollowsQuadrature)
             // Two nodes, three angles and lobes that are broader than the medium's: what is left of the spread in logarithms is the measure of the choice.
             EXPECT_LT(s.of_ratio, (std::abs(g) > .8 ? .6 : .4) * s.of_truth) << "g " << g << ", short " << is_short;
             EXPECT_GT(s.ratio, .5) << g;
-            EXPECT_LT(s.ratio, 3) << g;
+            EXPECT_LT(s.ratio, std::abs(g) > .8 ? 30 : 3) << g << ": half of the estimate is a lobe much broader than the medium's";
         }
 }
 
