@@ -11,15 +11,23 @@ std::string build_options(const PairProgram& program)
            (program.features & feature_bit::heterogeneous ? " -DTRANSMITTANCE=" + std::to_string(program.transmittance) : "");
 }
 
+/// Estimates ask neither for samplers nor for what stands between: fewer programs serve more scenes.
+static KernelBuild estimate_build(PairProgram program)
+{
+    program.features &= ~(feature_bit::occluders | feature_bit::boundaries | feature_bit::nonconvex_media);
+    program.sampler = program.sequence = program.transmittance = 0, program.selection = false;
+    return {"estimate_lights", build_options(program), program.features};
+}
+
 std::vector<KernelBuild> kernel_builds(const PairProgram& program)
 {
     const std::string own = build_options(program);
     std::vector<KernelBuild> builds;
     if (program.features & feature_bit::heterogeneous) builds.push_back({"tabulate_lights", own, program.features});
     if (program.features & feature_bit::heterogeneous && program.eyes == EyeKind::segments) builds.push_back({"tabulate_eyes", own, program.features});
-    if (program.selection) builds.insert(builds.end(), {{"estimate_lights", own, program.features}, {"weigh_lights", build_options({.lanes = program.lanes}), 0}, {"select_lights", build_options({.lanes = program.lanes}), 0}});
     if (program.features & feature_bit::occluders) builds.insert(builds.end(), {{"sample_pairs", own, program.features}, {"accumulate_pairs", build_options({.lanes = program.lanes}), 0}});
     else builds.push_back({"gather_lights", own, program.features});
+    if (program.selection) builds.insert(builds.end(), {estimate_build(program), {"weigh_lights", build_options({.lanes = program.lanes}), 0}, {"select_lights", build_options({.lanes = program.lanes}), 0}});
     return builds;
 }
 

@@ -46,9 +46,6 @@ typedef struct {
     real3 position, normal, facing, throughput;
 } EyePointLanes;
 
-PURE real3 mul3(real3 a, real3 b) { return make_real3(a.x * b.x, a.y * b.y, a.z * b.z); }
-PURE real3 scale3(real3 a, real s) { return make_real3(a.x * s, a.y * s, a.z * s); }
-
 /// Transmittance per channel of optical depths.
 PURE real3 transmittance3(real3 depth)
 {
@@ -99,6 +96,10 @@ PURE AlongLight along_light(VirtualRayLight light, MediumRecord medium, real3 pa
 
 PURE real3 light_origin(VirtualRayLight light) { return make_real3((real)light.origin_x, (real)light.origin_y, (real)light.origin_z); }
 PURE real3 light_direction(VirtualRayLight light) { return make_real3((real)light.direction_x, (real)light.direction_y, (real)light.direction_z); }
+PURE real3 scattered_flux(VirtualRayLight light, MediumRecord medium)
+{
+    return make_real3((real)(medium.sigma_s_r * light.flux_r), (real)(medium.sigma_s_g * light.flux_g), (real)(medium.sigma_s_b * light.flux_b));
+}
 
 // An eye segment's connection in three steps. Each is short enough for a processor to overlap it with the same step of the next pair, which all three
 // together are not; so the stages take a batch of pairs through one step before the next (kernels/stages/connection.h).
@@ -204,8 +205,7 @@ PURE Connection connect_segment_at(EyeSegmentLanes eye, MediumLanes eye_medium, 
     AlongLight along = along_light(light, medium, on_light.path);
     real3 depth = make_real3(fma(eye_medium.sigma_t.x, on_eye.path.x, along.depth.x), fma(eye_medium.sigma_t.y, on_eye.path.y, along.depth.y),
                              fma(eye_medium.sigma_t.z, on_eye.path.z, along.depth.z));
-    real3 scattering = mul3(eye_medium.sigma_s, make_real3((real)(medium.sigma_s_r * light.flux_r), (real)(medium.sigma_s_g * light.flux_g),
-                                                           (real)(medium.sigma_s_b * light.flux_b)));
+    real3 scattering = mul3(eye_medium.sigma_s, scattered_flux(light, medium));
     if (HETEROGENEOUS) scattering = mul3(scattering, mul3(on_eye.scattering, on_light.scattering));
     c.radiance = scale3(mul3(mul3(scattering, eye.throughput), transmittance3(depth)), at.weight * phase / along.divisor);
     return c;
@@ -254,7 +254,7 @@ PURE Connection connect_point_at(EyePointLanes eye, VirtualRayLight light, Mediu
     if (ANISOTROPIC) phase = phase_of(phase_range(medium), tables, b, scale3(d, R(-1.0) / fmax(c.length, R(1e-30))));
     AlongLight along = along_light(light, medium, on_light.path);
     real weight = select(R(0.0), rod.weight, dot3(d, eye.facing) > R(0.0));
-    real3 scattering = make_real3((real)(medium.sigma_s_r * light.flux_r), (real)(medium.sigma_s_g * light.flux_g), (real)(medium.sigma_s_b * light.flux_b));
+    real3 scattering = scattered_flux(light, medium);
     if (HETEROGENEOUS) scattering = mul3(scattering, on_light.scattering);
     c.radiance = scale3(mul3(mul3(scattering, eye.throughput), transmittance3(along.depth)), weight * phase / along.divisor);
     return c;
@@ -267,30 +267,21 @@ PURE Connection connect_point(EyePointLanes eye, VirtualRayLight light, MediumRe
     return connect_point_at(eye, light, medium, tables, at, even_matter(at.v));
 }
 
-// Which lights an eye is connected to (kernels/README.md, section 14).
+// Which lights an eye is connected to (kernels/README.md, section 16).
+
+/// What an eye that would turn the light of all channels into `colour` is estimated by. density: of the medium around, relative to its coefficients.
+PURE EstimateMedia estimate_media(VirtualRayLight light, MediumRecord medium, real3 colour, real g_eye, real density)
+{
+    real3 sigma_t = make_real3((real)medium.sigma_t_r * density, (real)medium.sigma_t_g * density, (real)medium.sigma_t_b * density);
+    real lost = SHORT_LIGHTS && light.is_short != 0u ? R(0.0) : R(1.0);
+    EstimateMedia m = {mul3(colour, scattered_flux(light, medium)), sigma_t, scale3(sigma_t, lost), sigma_t, g_eye, (real)medium.g, ANISOTROPIC, COLOURED | COLOURED_GRIDS};
+    return m;
+}
 
 /// Power that the light scatters, summed over channels, without 4 pi: what a choice by power alone goes by.
 PURE real light_power(VirtualRayLight light, MediumRecord medium)
 {
-    real length = (real)light.length, lost = SHORT_LIGHTS && light.is_short != 0u ? R(0.0) : R(1.0);
-    real red = (real)medium.sigma_t_r * length * lost, green = (real)medium.sigma_t_g * length * lost, blue = (real)medium.sigma_t_b * length * lost;
-    return length * fma((real)(medium.sigma_s_r * light.flux_r), expm1_over(-fmin(red, DEEPEST_GUIDE)),
-                        fma((real)(medium.sigma_s_g * light.flux_g), expm1_over(-fmin(green, DEEPEST_GUIDE)),
-                            (real)(medium.sigma_s_b * light.flux_b) * expm1_over(-fmin(blue, DEEPEST_GUIDE))));
-}
-
-/// What the light would send to an eye of this throughput and scattering, and what takes of it. `density`: that of the medium, relative to its coefficients,
-/// seen from afar.
-PURE EstimateMedia estimate_media(VirtualRayLight light, MediumRecord medium, real3 colour, real g_eye, real density)
-{
-    EstimateMedia m;
-    m.colour = mul3(colour, make_real3((real)(medium.sigma_s_r * light.flux_r), (real)(medium.sigma_s_g * light.flux_g), (real)(medium.sigma_s_b * light.flux_b)));
-    m.leg = make_real3((real)medium.sigma_t_r * density, (real)medium.sigma_t_g * density, (real)medium.sigma_t_b * density);
-    m.eye = m.leg;
-    m.light = SHORT_LIGHTS && light.is_short != 0u ? make_real3(R(0.0), R(0.0), R(0.0)) : m.leg;
-    m.guide.g_eye = g_eye, m.guide.g_light = (real)medium.g, m.guide.sigma_eye = m.guide.sigma_light = m.guide.sigma_leg = R(0.0);
-    m.lobes = ANISOTROPIC, m.coloured = COLOURED | COLOURED_GRIDS;
-    return m;
+    return rod_power(estimate_media(light, medium, make_real3(R(1.0), R(1.0), R(1.0)), R(0.0), R(1.0)), (real)light.length);
 }
 
 /// What an eye segment receives, roughly, summed over channels, up to a constant factor.

@@ -14,9 +14,9 @@
 
 /// Mean cosines times `breadth`, and what makes the product of both lobes comparable between media: (1 - g^2) (1 - g^2).
 typedef struct { real g_eye, g_light, scale; } GuideLobes;
-PURE GuideLobes guide_lobes(GuideMedia media, real breadth)
+PURE GuideLobes guide_lobes(real g_eye, real g_light, real breadth)
 {
-    GuideLobes l = {media.g_eye * breadth, media.g_light * breadth, R(1.0)};
+    GuideLobes l = {g_eye * breadth, g_light * breadth, R(1.0)};
     l.scale = fma(-l.g_eye, l.g_eye, R(1.0)) * fma(-l.g_light, l.g_light, R(1.0));
     return l;
 }
@@ -28,16 +28,16 @@ PURE real guide_product(GuideLobes l, real mu_eye, real mu_light)
 }
 
 /// Mean of the narrow and the broad product of phase functions, times (4 pi)^2.
-PURE real guide_phase(GuideMedia media, real mu_eye, real mu_light)
+PURE real guide_phase(real g_eye, real g_light, real mu_eye, real mu_light)
 {
-    return R(0.5) * (guide_product(guide_lobes(media, NARROW_LOBE), mu_eye, mu_light) + guide_product(guide_lobes(media, BROAD_LOBE), mu_eye, mu_light));
+    return R(0.5) * (guide_product(guide_lobes(g_eye, g_light, NARROW_LOBE), mu_eye, mu_light) + guide_product(guide_lobes(g_eye, g_light, BROAD_LOBE), mu_eye, mu_light));
 }
 
 /// What an estimate goes by: a light's colour times what it loses. Extinctions along eye segment, light and connection, per unit of length and channel.
 typedef struct {
     real3 colour;                 ///< of what would arrive if nothing were lost on the way
     real3 eye, light, leg;
-    GuideMedia guide;             ///< its mean cosines
+    real g_eye, g_light;          ///< mean cosines
     int lobes, coloured;          ///< known when the kernel is built: phase functions matter; channels differ in extinction
 } EstimateMedia;
 
@@ -54,13 +54,21 @@ PURE real colour_left(EstimateMedia m, real u, real v, real w)
            channel_left(m.colour.z, m.eye.z, m.light.z, m.leg.z, u, v, w);
 }
 
+/// Integral over the light of what it scatters, summed over channels.
+PURE real rod_power(EstimateMedia m, real length)
+{
+    real red = m.light.x * length, green = m.light.y * length, blue = m.light.z * length;
+    return length * fma(m.colour.x, expm1_over(-fmin(red, DEEPEST_GUIDE)), fma(m.colour.y, expm1_over(-fmin(green, DEEPEST_GUIDE)), m.colour.z * expm1_over(-fmin(blue, DEEPEST_GUIDE))));
+}
+
 /// Sum over channels of the integral over light and segment of colour x phase functions x transmittance / w^2, times (4 pi)^2: the mid-point rule in the rod
 /// variable and in the angle.
 PURE real rod_estimate(real3 q, real3 a, real3 b, real length, real eye_length, EstimateMedia media)
 {
     RodFrame f = rod_frame(q, a, b, length);
     RodPiece whole = rod_whole(f);
-    RodView view = rod_view(f, q, a, b, eye_length, media.guide);
+    GuideMedia nothing = {R(0.0), R(0.0), R(0.0), R(0.0), R(0.0)};
+    RodView view = rod_view(f, q, a, b, eye_length, nothing);
     TableShape shape = {ESTIMATE_NODES, ESTIMATE_ANGLES, 0};
     RodNode node[ESTIMATE_NODES];
     real v[ESTIMATE_NODES], sum = R(0.0);
@@ -74,7 +82,7 @@ PURE real rod_estimate(real3 q, real3 a, real3 b, real length, real eye_length, 
             real over = R(1.0) / fmax(n.sine, REAL_EPSILON), furthest = n.D + fmax(fabs(n.foot), fabs(view.eye_length - n.foot));
             real w = fmin(n.D * over, furthest), u = fmin(fmax(fma(-n.D * n.cosine, over, n.foot), R(0.0)), view.eye_length);
             real value = colour_left(media, u * f.scale, v[k] * f.scale, w * f.scale) * n.angle;
-            if (media.lobes) value = value * guide_phase(media.guide, n.cosine, fma(n.across, n.sine, -view.slope * n.cosine));
+            if (media.lobes) value = value * guide_phase(media.g_eye, media.g_light, n.cosine, fma(n.across, n.sine, -view.slope * n.cosine));
             sum = sum + value;
             node[k] = turned_node(n);
         }
@@ -90,13 +98,12 @@ PURE real surface_rod_estimate(real3 p, real3 b, real length, real3 n, EstimateM
 {
     real3 from = make_real3(-p.x, -p.y, -p.z);
     real sum = R(0.0), over_distance = R(0.0);
-    media.guide.g_eye = R(0.0);
     for (int k = 0; k < ESTIMATE_NODES; ++k) {
         AngleSample at = sample_equiangular(from, b, length, (real)(((float)k + 0.5f) / (float)ESTIMATE_NODES));
         real3 d = along3(p, at.u, b);
         real w = length3(d), over = R(1.0) / fmax(w, REAL_SMALLEST);
         real value = (ESTIMATE_ANY_NORMAL + fmax(dot3(n, d) * over, R(0.0))) * colour_left(media, R(0.0), at.u, w);
-        if (media.lobes) value = value * guide_phase(media.guide, R(1.0), -dot3(b, d) * over);
+        if (media.lobes) value = value * guide_phase(R(0.0), media.g_light, R(1.0), -dot3(b, d) * over);
         sum = sum + value, over_distance = at.angle_over_distance;
     }
     return over_distance * sum * (real)(1.0f / (float)ESTIMATE_NODES);

@@ -30,20 +30,20 @@ std::uint64_t programs_of(const Scene& scene, const RenderSettings& settings = {
 
 TEST(Programs, PerShippedScene)
 {
-    EXPECT_EQ(programs_of(shipped("six_vrls")), 1u);     // nothing to receive light but fog: gather_lights
-    EXPECT_EQ(programs_of(shipped("fruit_juice")), 2u);  // gather_lights for segments and for points
-    EXPECT_EQ(programs_of(shipped("cornell_fog")), 3u);  // sample_pairs for segments and for points, one accumulate_pairs for both
-    EXPECT_EQ(programs_of(shipped("fog_and_slit")), 3u);
-    EXPECT_EQ(programs_of(shipped("glossy_medium")), 2u);
-    EXPECT_EQ(programs_of(shipped("backlit_smoke")), 3u);  // gather_lights for segments, sample_pairs and accumulate_pairs for points
-    EXPECT_EQ(programs_of(shipped("plume")), 5u);          // gather_lights and tabulate_lights for both, tabulate_eyes for segments
+    EXPECT_EQ(programs_of(shipped("plume")), 8u);          // gather_lights, tabulate_lights and estimate_lights for both, tabulate_eyes for segments, select_lights
+    EXPECT_EQ(programs_of(shipped("six_vrls")), 3u);     // nothing to receive light but fog: estimate_lights, select_lights, gather_lights
+    EXPECT_EQ(programs_of(shipped("fruit_juice")), 5u);  // estimate_lights and gather_lights for segments and for points, one select_lights for both
+    EXPECT_EQ(programs_of(shipped("cornell_fog")), 6u);  // estimate_lights and sample_pairs for segments and for points, one select_lights and accumulate_pairs
+    EXPECT_EQ(programs_of(shipped("fog_and_slit")), 6u);
+    EXPECT_EQ(programs_of(shipped("glossy_medium")), 5u);
+    EXPECT_EQ(programs_of(shipped("backlit_smoke")), 6u);  // both estimate_lights, select_lights, gather_lights for segments, sample_pairs and accumulate_pairs for points
 }
 
 TEST(Programs, NoneForPathTracingAndNoDeviceForLayersWithoutVirtualLights)
 {
     EXPECT_EQ(programs_of(shipped("cornell_fog"), {.method = Method::path, .passes = 1}), 0u);
     EXPECT_EQ(programs_of(shipped("cornell_fog"), {.layers = LayerSet().add(Layer::single), .passes = 1}), 0u);
-    EXPECT_EQ(programs_of(shipped("cornell_fog"), {.layers = LayerSet().add(Layer::media_to_media), .passes = 1}), 2u);
+    EXPECT_EQ(programs_of(shipped("cornell_fog"), {.layers = LayerSet().add(Layer::media_to_media), .passes = 1}), 4u);
 }
 
 TEST(Programs, OfShippedScenesAreAmongThoseThatPrebuildBuilds)
@@ -77,8 +77,10 @@ TEST(Programs, PrebuildRunsBothPipelines)
     EXPECT_EQ(device.programs_built(), 3u);
     prebuild(device, {.eyes = EyeKind::points, .features = feature_bit::occluders, .lanes = 4});
     EXPECT_EQ(device.programs_built(), 4u) << "accumulate_pairs is shared";
-    prebuild(device, {.features = feature_bit::heterogeneous, .lanes = 4});
-    EXPECT_GT(device.programs_built(), 4u) << "a grid's kernels, run without a grid";
+    prebuild(device, {.features = 0, .lanes = 4, .selection = true});
+    EXPECT_EQ(device.programs_built(), 7u) << "estimate_lights, select_lights and another gather_lights";
+    prebuild(device, {.features = feature_bit::occluders, .lanes = 4, .selection = true});
+    EXPECT_EQ(device.programs_built(), 8u) << "another sample_pairs; estimates do not ask what stands between";
 }
 
 }  // namespace
