@@ -254,8 +254,7 @@ PURE Connection connect_point_at(EyePointLanes eye, VirtualRayLight light, Mediu
     if (ANISOTROPIC) phase = phase_of(phase_range(medium), tables, b, scale3(d, R(-1.0) / fmax(c.length, R(1e-30))));
     AlongLight along = along_light(light, medium, on_light.path);
     real weight = select(R(0.0), rod.weight, dot3(d, eye.facing) > R(0.0));
-    real3 scattering = scattered_flux(light, medium);
-    if (HETEROGENEOUS) scattering = mul3(scattering, on_light.scattering);
+    real3 scattering = HETEROGENEOUS ? mul3(scattered_flux(light, medium), on_light.scattering) : scattered_flux(light, medium);
     c.radiance = scale3(mul3(mul3(scattering, eye.throughput), transmittance3(along.depth)), weight * phase / along.divisor);
     return c;
 }
@@ -268,8 +267,7 @@ PURE Connection connect_point(EyePointLanes eye, VirtualRayLight light, MediumRe
 }
 
 // Which lights an eye is connected to (kernels/README.md, section 16).
-
-/// What an eye that would turn the light of all channels into `colour` is estimated by. density: of the medium around, relative to its coefficients.
+/// What an eye that turns light into `colour` is estimated by. density: of the medium around, relative to its coefficients.
 PURE EstimateMedia estimate_media(VirtualRayLight light, MediumRecord medium, real3 colour, real g_eye, real density)
 {
     real3 sigma_t = make_real3((real)medium.sigma_t_r * density, (real)medium.sigma_t_g * density, (real)medium.sigma_t_b * density);
@@ -292,11 +290,11 @@ PURE real estimate_to_segment(EyeSegmentLanes eye, MediumLanes eye_medium, Virtu
     return rod_estimate(sub3(light_origin(light), eye.origin), eye.direction, light_direction(light), (real)light.length, eye.length, m);
 }
 
-/// What a surface point receives, the same.
+/// What a surface point receives.
 PURE real estimate_to_point(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, real density)
 {
-    EstimateMedia m = estimate_media(light, medium, eye.throughput, R(0.0), density);
-    return surface_rod_estimate(sub3(light_origin(light), eye.position), light_direction(light), (real)light.length, eye.normal, m);
+    return surface_rod_estimate(sub3(light_origin(light), eye.position), light_direction(light), (real)light.length, eye.normal,
+                                estimate_media(light, medium, eye.throughput, R(0.0), density));
 }
 
 #endif
