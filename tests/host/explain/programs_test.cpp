@@ -81,6 +81,8 @@ TEST(Programs, PrebuildRunsBothPipelines)
     EXPECT_EQ(device.programs_built(), 7u) << "estimate_lights, select_lights and another gather_lights";
     prebuild(device, {.features = feature_bit::occluders, .lanes = 4, .selection = true});
     EXPECT_EQ(device.programs_built(), 8u) << "another sample_pairs; estimates do not ask what stands between";
+    prebuild(device, {.features = feature_bit::heterogeneous, .lanes = 4});
+    EXPECT_GT(device.programs_built(), 8u) << "a grid's kernels, run without a grid";
 }
 
 }  // namespace
