@@ -94,12 +94,11 @@ TEST(Explain, NamesTheElementOfEveryEffectThatWasFound)
 
 TEST(Explain, NamesKernelsWithTheirMasks)
 {
-    EXPECT_EQ(kernel_names(explained(foggy_room())),
-              (std::vector<std::string>{"media_to_media.sample_pairs: OCCLUDERS", "both layers.accumulate_pairs: none", "media_to_media.estimate_lights: none", "both layers.weigh_lights: none",
-                                        "both layers.select_lights: none", "media_to_surface.sample_pairs: OCCLUDERS", "media_to_surface.estimate_lights: none"}));
-    EXPECT_EQ(kernel_names(explained(foggy_room(), {.selection = Selection::all})),
-              (std::vector<std::string>{"media_to_media.sample_pairs: OCCLUDERS", "both layers.accumulate_pairs: none", "media_to_surface.sample_pairs: OCCLUDERS"}));
-    EXPECT_EQ(kernel_names(explained(box_of_fog(), {.selection = Selection::all})), (std::vector<std::string>{"media_to_media.gather_lights: none"}));
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(kernel_names(explained(foggy_room())), (Names{"media_to_media.sample_pairs: OCCLUDERS", "both layers.accumulate_pairs: none", "media_to_media.estimate_lights: none", "both layers.weigh_lights: none",
+                                                            "both layers.select_lights: none", "media_to_surface.sample_pairs: OCCLUDERS", "media_to_surface.estimate_lights: none"}));
+    EXPECT_EQ(kernel_names(explained(foggy_room(), {.selection = Selection::all})), (Names{"media_to_media.sample_pairs: OCCLUDERS", "both layers.accumulate_pairs: none", "media_to_surface.sample_pairs: OCCLUDERS"}));
+    EXPECT_EQ(kernel_names(explained(box_of_fog(), {.selection = Selection::all})), (Names{"media_to_media.gather_lights: none"}));
     EXPECT_TRUE(explained(foggy_room(), {.method = Method::path}).kernels.empty());
     EXPECT_TRUE(explained(scene_of({lamp(), far_ball})).kernels.empty());
     const Explanation by_hand = explained(foggy_room(), {.features = feature_bit::occluders | feature_bit::anisotropic, .lanes = 8});
