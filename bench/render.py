@@ -12,7 +12,7 @@ import tempfile
 
 def render(program, scene, folder):
     """One render in a process of its own: its report, and what the system says it used."""
-    command = [program, "render", scene, "-o", os.path.join(folder, "image.exr"), "--lights", "4096", "--passes", "1",
+    command = [program, "render", scene, "-o", os.path.join(folder, "image.exr"), "--lights", "4096", "--select", "all", "--passes", "1",
                "--resolution", "512x512", "--threads", "2", "--progress", "none"]
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     message = process.stderr.read()

@@ -20,6 +20,8 @@ std::string virtual_light_options(const RenderSettings& s)
     if (s.transmittance != GridTransmittance::march) line += fmt::format(" --transmittance {}", name_in(transmittance_names, s.transmittance));
     if (s.segment_length == SegmentLength::short_) line += " --short";
     if (s.lights) line += fmt::format(" --lights {}", s.lights);
+    if (s.selection != Selection::automatic) line += fmt::format(" --select {}", name_in(selection_names, s.selection));
+    if (s.selected_lights) line += fmt::format(" --selected {}", s.selected_lights);
     if (s.samples_per_pair != 1) line += fmt::format(" --samples {}", s.samples_per_pair);
     if (s.lanes) line += fmt::format(" --lanes {}", s.lanes);
     if (!s.device.empty()) line += " --device " + shell_quoted(s.device);

@@ -75,7 +75,7 @@ void add_transport(CLI::App& app, RenderSettings& settings, LayerSet& layers)
 void add_selection(CLI::App& app, RenderSettings& settings)
 {
     add(app, "--select", "WHICH", "virtual lights of each pixel: auto, all, or tile: some, chosen by an estimate that a square of pixels shares", [&](const auto& text) {
-        settings.selection = std::array{Selection::automatic, Selection::all, Selection::tile}[parse_choice("--select", text, {"auto", "all", "tile"})];
+        settings.selection = parse_named("--select", text, selection_names);
     });
     add(app, "--selected", "N", "so many virtual lights per pixel and pass (by rule)",
         [&](const auto& text) { settings.selected_lights = static_cast<std::uint32_t>(parse_integer("--selected", text, 1, 1 << 16)); });

@@ -23,6 +23,7 @@ inline constexpr std::array sampler_names{Named<Sampler>{"auto", Sampler::automa
                                           Named<Sampler>{"table-3x2", Sampler::table_3x2}};
 inline constexpr std::array sequence_names{Named<Sequence>{"auto", Sequence::automatic}, Named<Sequence>{"random", Sequence::random}, Named<Sequence>{"sobol", Sequence::sobol}};
 inline constexpr std::array transmittance_names{Named<GridTransmittance>{"march", GridTransmittance::march}, Named<GridTransmittance>{"exact", GridTransmittance::exact}};
+inline constexpr std::array selection_names{Named<Selection>{"auto", Selection::automatic}, Named<Selection>{"all", Selection::all}, Named<Selection>{"tile", Selection::tile}};
 inline constexpr std::array segment_length_names{Named<SegmentLength>{"long", SegmentLength::long_}, Named<SegmentLength>{"short", SegmentLength::short_}};
 
 /// The name that stands beside `value`; every enumerator has one.
