@@ -1,5 +1,7 @@
 #include "device/pair_stage.hpp"
 
+#include <stdexcept>
+
 #include "device/pair_stage_state.hpp"
 
 namespace tyndall {
@@ -76,6 +78,7 @@ void PairStage::gather(const PairTile& tile)
 
 void PairStage::sample(int slot, const PairTile& tile)
 {
+    if (tile.groups * state_->lanes() % SHADOW_PACKET_SIZE != 0) throw std::logic_error("a tile with shadow segments holds whole packets of 16 eyes");
     TileSlot& s = state_->slots[static_cast<std::size_t>(slot)];
     s.tile = tile;
     const std::size_t packet_bytes = state_->packet_count(tile) * sizeof(ShadowPacket), contribution_bytes = state_->contribution_count(tile) * sizeof(float);

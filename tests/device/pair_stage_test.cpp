@@ -147,24 +147,24 @@ TEST(PairStage, WidthsFourEightAndSixteenAgreeToAMillionth)
     }
 }
 
-TEST(PairStage, ABlockedSegmentAddsNothing)
+TEST_P(AtEveryLaneWidth, ABlockedSegmentAddsNothing)
 {
     const auto pairs = random_pairs({.eyes = 16, .lights = 40});
-    PairStage stage(device(), program(EyeKind::segments, feature_bit::occluders, 16), pairs.tables);
+    PairStage stage(device(), program(EyeKind::segments, feature_bit::occluders, GetParam()), pairs.tables);
     stage.begin(std::as_bytes(std::span(pairs.segments)), 16, pairs.lights, 0xffffffffu);
-    stage.sample(0, {0, 1, 0, 40});
+    stage.sample(0, {0, 16u / static_cast<std::uint32_t>(GetParam()), 0, 40});
     for (ShadowPacket& packet : stage.sampled(0).packets)
         for (float& tfar : packet.tfar) tfar = -std::numeric_limits<float>::infinity();
     stage.accumulate(0);
     for (const double x : stage.sums()) EXPECT_EQ(x, 0);
 }
 
-TEST(PairStage, ShadowSegmentsRunBetweenShortenedEnds)
+TEST_P(AtEveryLaneWidth, ShadowSegmentsRunBetweenShortenedEnds)
 {
     const auto pairs = random_pairs({.eyes = 16, .lights = 40});
-    PairStage stage(device(), program(EyeKind::segments, feature_bit::occluders, 16), pairs.tables);
+    PairStage stage(device(), program(EyeKind::segments, feature_bit::occluders, GetParam()), pairs.tables);
     stage.begin(std::as_bytes(std::span(pairs.segments)), 16, pairs.lights, 0xffffffffu);
-    stage.sample(0, {0, 1, 0, 40});
+    stage.sample(0, {0, 16u / static_cast<std::uint32_t>(GetParam()), 0, 40});
     for (const ShadowPacket& packet : stage.sampled(0).packets)
         for (int i = 0; i < 16; ++i) {
             const double length = std::sqrt(double(packet.direction_x[i]) * packet.direction_x[i] + double(packet.direction_y[i]) * packet.direction_y[i] +
@@ -174,6 +174,14 @@ TEST(PairStage, ShadowSegmentsRunBetweenShortenedEnds)
             EXPECT_EQ(packet.mask[i], 0xffffffffu);
         }
     stage.accumulate(0);
+}
+
+TEST(PairStage, ATileThatFillsNoWholePacketIsRefused)
+{
+    const auto pairs = random_pairs({.eyes = 16, .lights = 40});
+    PairStage stage(device(), program(EyeKind::segments, feature_bit::occluders, 4), pairs.tables);
+    stage.begin(std::as_bytes(std::span(pairs.segments)), 16, pairs.lights, 0xffffffffu);
+    EXPECT_THROW(stage.sample(0, {0, 1, 0, 40}), std::logic_error);
 }
 
 TEST(PairStage, ALightThatIsNotFiniteIsCountedAndTakenOut)
@@ -213,7 +221,7 @@ TEST(PairStage, VertexLimitCountsEyeAndLight)
     }
 }
 
-TEST(PairStage, AMillionLightsDoNotStagnate)
+TEST_P(AtEveryLaneWidth, AMillionLightsDoNotStagnate)
 {
     // hard_cases row 26: equal terms. One eye group, one light repeated; blocks in float, their sum in two floats.
     auto pairs = random_pairs({.eyes = 16, .lights = 1});
@@ -222,7 +230,7 @@ TEST(PairStage, AMillionLightsDoNotStagnate)
     pairs.lights.clear();
     for (std::uint32_t i = 0; i < copies; ++i) pairs.lights.insert(pairs.lights.end(), one.begin(), one.end());
     pairs.light_count = copies;
-    PairStage stage(device(), program(EyeKind::segments, 0, 16), pairs.tables);
+    PairStage stage(device(), program(EyeKind::segments, 0, GetParam()), pairs.tables);
     const auto sums = gathered(stage, pairs, EyeKind::segments, 1000, 1u << 18);
     auto few = pairs;
     few.light_count = 1u << 12;

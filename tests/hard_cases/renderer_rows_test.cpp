@@ -22,6 +22,10 @@ namespace tyndall {
 namespace maths_float {
 #include "kernels/math/long_sum.h"
 }
+#undef LONG_SUM_H
+namespace maths_double {
+#include "kernels/math/long_sum.h"
+}
 
 namespace {
 
@@ -74,8 +78,10 @@ TEST(HardCases, Row22ColouredExtinctionHasBoundedWeightsAndTheRightMeans)
 
 TEST(HardCases, Row23FarFromTheOriginNothingChanges)
 {
-    const auto here = beauty(foggy_scene(0, "5, 5, 5"));
-    for (const double shift : {1024.0, 65536.0, 1048576.0}) EXPECT_EQ(beauty(foggy_scene(shift, "5, 5, 5")), here) << "moved by " << shift;
+    for (const int lanes : {1, 4, 8, 16}) {
+        const auto here = beauty(foggy_scene(0, "5, 5, 5"), {.lanes = lanes});
+        for (const double shift : {1024.0, 65536.0, 1048576.0}) EXPECT_EQ(beauty(foggy_scene(shift, "5, 5, 5"), {.lanes = lanes}), here) << "moved by " << shift << ", " << lanes << " lanes";
+    }
 }
 
 TEST(HardCases, Row25FluxOfAnySizeAndDarkChannels)
@@ -95,14 +101,17 @@ TEST(HardCases, Row26SumsOfManyTermsDoNotStagnate)
     const float term = .1f;
     constexpr int blocks = 120000, block = 256;  // 3e7 terms
     maths_float::LongSum sum{0, 0};
+    maths_double::LongSum twice{0, 0};
     float naive = 0;
     for (int b = 0; b < blocks; ++b) {
         float partial = 0;
         for (int i = 0; i < block; ++i) partial += term, naive += term;
         sum = maths_float::add_to(sum, partial);
+        twice = maths_double::add_to(twice, double(term) * block);
     }
     const double exact = double(term) * block * blocks;
     EXPECT_NEAR((double(sum.high) + double(sum.low)) / exact, 1, 1e-5) << "256 roundings of the block's partial sum at most";
+    EXPECT_EQ(twice.high + twice.low, exact) << "in double nothing is lost at all";
     EXPECT_GT(std::abs(double(naive) / exact - 1), .05) << "one float would have stagnated";
 }
 
