@@ -1,4 +1,8 @@
 /// Lights that are chosen for each pixel give the image that all of them give.
+#include <fstream>
+
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/vol_file.hpp"
 #include "tyndall/error.hpp"
 #include "whole_renderer.hpp"
 
@@ -44,6 +48,22 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"Nested", cube_of_fog + smoke + container({-.3, -.2, -.2}, {.1, .3, .3}, "smoke", "fog") + floor_below, {.selection_block = 4}},
                     Case{"ByPowerAlone", cube_of_fog + floor_below, {.selection_block = 16, .selection_defence = 1}}),
     [](const auto& info) { return info.param.name; });
+
+// Estimates stand on the mean density along a light, which of this puff, dense in one corner and empty in another, is far from what is met.
+TEST(Selection, InADensityGridGivesTheImageOfAllLights)
+{
+    const TemporaryFolder folder;
+    std::vector<float> values(64);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(i % 4 * (i / 16));
+    const std::string bytes = vol_bytes({.size = {4, 4, 4}, .values = values});
+    std::ofstream(folder / "puff.vol", std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
+    const std::string puff = R"(<medium type="heterogeneous" id="puff"><volume name="sigma_t" type="gridvolume"><string name="filename" value="puff.vol"/><transform name="to_world">
+        <translate x="-0.5" y="-0.5" z="-0.5"/></transform></volume><float name="albedo" value=".9"/><phase type="hg"><float name="g" value=".5"/></phase></medium>)";
+    const Scene scene = parse_scene("<scene version=\"3.0.0\">" + puff + container(Vec3(-.5), Vec3(.5), "puff") + lamp + floor_below + view + "</scene>", folder.path(), "scene.xml");
+    const WholeRender chosen = render_whole(scene, {.passes = 900, .lights = 600, .selection = Selection::tile, .selected_lights = 64}),
+                      all = render_whole(scene, {.passes = 600, .lights = 200, .seed = 2, .selection = Selection::all});
+    expect_layers_agree(chosen, all, {Layer::media_to_media, Layer::media_to_surface}, .03);
+}
 
 TEST(Selection, SeveralCameraSamplesOfAllLightsGiveTheSameImage)
 {
