@@ -1,9 +1,11 @@
 // Selection, after estimate_lights: which share of the choice each light has in each square of pixels, and `slots` lights for every group of EYE_GROUP eyes
 // (kernels/README.md, section 16).
-#include "kernels/stages/pair_stage.h"
+#include "kernels/math/random.h"
+#include "kernels/shared/eye_block.h"
+#include "kernels/shared/light_choice.h"
 
 /// Probabilities are whole numbers of ticks, so that they add up without rounding: what a light is divided by is what it was chosen with.
-#define ALL_TICKS 0x1p30f
+#define ALL_TICKS R(0x1p30)
 
 typedef struct {
     float total;      ///< power of all lights
@@ -28,7 +30,7 @@ PURE bits fill_ticks(__global const float* estimates, __global const float* powe
     for (uint i = 0; i < count; ++i) {
         real estimate = load_lanes(estimates, i), by_power = (real)(power.defence > 0.0f ? powers[i] / power.total * power.defence : 0.0f);
         real share = fma(estimate / over, by_estimate, by_power);
-        bits q = to_bits(select(R(0.0), fmin(share, R(1.0)) * R(0x1p30) + R(1.0), estimate >= R(0.0)));
+        bits q = to_bits(select(R(0.0), fma(fmin(share, R(1.0)), ALL_TICKS, R(1.0)), estimate >= R(0.0)));
         store_bits(q, 0, ticks + (size_t)i * LANES);
         total += q;
     }
