@@ -12,7 +12,7 @@ raw=$(mktemp -d)
 trap 'rm -rf "$raw"' EXIT
 
 if [[ -z ${BUILD:-} ]]; then
-  install_packages "${build_packages[@]}" libbenchmark-dev python3-minimal
+  install_packages "${build_packages[@]}" libbenchmark-dev python3
   build_release all -DTYNDALL_BENCH=ON
 fi
 build=${BUILD:-$build_folder}
