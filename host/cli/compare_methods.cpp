@@ -14,7 +14,7 @@
 #include "comparison/comparison_json.hpp"
 #include "film/atomic_file.hpp"
 #include "path_tracing/path_tracing.hpp"
-#include "pipeline/light_budget.hpp"
+#include "pipeline/light_selection_plan.hpp"
 #include "report/comparison_page.hpp"
 #include "report/readable.hpp"
 #include "tyndall/error.hpp"
@@ -117,9 +117,10 @@ int compare_methods(CompareCommand& command)
     for (const auto& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
     override_film(scene.camera, command.resolution, command.crop);
     prepare_output(command.output);
-    const RenderFunction render_scene = [&](RenderSettings settings, const ProgressCallback& progress) {
-        if (settings.lights == 0) settings.lights = default_lights(scene.camera, command.times.back());  // what `render --time` of the longest time would take
-        return render(scene, settings, progress);
+    const RenderFunction render_scene = [&](const RenderSettings& settings, const ProgressCallback& progress) {
+        RenderSettings longest = settings;
+        longest.seconds = command.times.back();  // what `render --time` of the longest time would choose
+        return render(scene, with_plan(settings, plan_selection(longest, scene.camera)), progress);
     };
     say_how_long(command, candidates.size());
     const InterruptGuard interrupt;

@@ -66,9 +66,7 @@ double pixels(const Scene& scene) { return double(scene.camera.crop_width) * sce
 
 Calibration calibrate(const Scene& scene, const RenderSettings& wanted, double seconds)
 {
-    RenderSettings settings = wanted;
-    const SelectionPlan plan = plan_selection(settings, scene.camera);  // of the whole film and the real budget
-    settings.lights = plan.lights, settings.selection = plan.chosen ? Selection::tile : Selection::all;
+    const RenderSettings settings = with_plan(wanted, plan_selection(wanted, scene.camera));  // of the whole film and the real budget
     const Scene pilot = shrunk(scene, 1.0 / 64);
     const Measured small = measure(pilot, settings, seconds / 4);
     const double growing = (small.mean - small.lights) * pixels(scene) / pixels(pilot);

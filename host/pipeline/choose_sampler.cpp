@@ -7,6 +7,7 @@
 #include "kernels/shared/host_features.hpp"
 #include "kernels/shared/records.hpp"
 #include "scene/text.hpp"
+#include "tyndall/setting_names.hpp"
 
 namespace tyndall {
 namespace {
@@ -53,8 +54,9 @@ ChosenSampler choose_sampler(const Scene& scene, const SceneFeatures& features, 
 
 std::string sampler_name(int sampler)
 {
-    constexpr const char* names[] = {"paper-isotropic", "paper", "paper-6", "table", "table-4x4", "table-3x2"};
-    return names[sampler];
+    for (const auto& named : sampler_names)
+        if (named.value != Sampler::automatic && asked_for(named.value) == sampler) return std::string(named.name);
+    return {};
 }
 
 int choose_sequence(Sequence wanted, int samples_per_pair)

@@ -48,6 +48,12 @@ SelectionPlan plan_selection(const RenderSettings& settings, const Camera& camer
     return plan;
 }
 
+RenderSettings with_plan(RenderSettings settings, const SelectionPlan& plan)
+{
+    settings.lights = plan.lights, settings.selection = plan.chosen ? Selection::tile : Selection::all;
+    return settings;
+}
+
 std::string to_text(const SelectionPlan& plan)
 {
     const std::string samples = plan.camera_samples > 1 ? fmt::format(", in {} camera samples", plan.camera_samples) : "";

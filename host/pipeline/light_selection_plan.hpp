@@ -25,6 +25,9 @@ struct SelectionPlan {
 /// lights if fewer than 512 are asked for, or if the time budget is less than twelve such passes (default_lights).
 SelectionPlan plan_selection(const RenderSettings& settings, const Camera& camera);
 
+/// The settings with the plan written into them: for a render of another film size or time that is to have the same lights and choice.
+RenderSettings with_plan(RenderSettings settings, const SelectionPlan& plan);
+
 /// One line for people.
 std::string to_text(const SelectionPlan& plan);
 

@@ -75,7 +75,7 @@ std::vector<MemoryReport> estimate_memory(const Scene& scene, const RenderSettin
     if (grids > 0) memory.push_back({"grids of voxels", grids});
     if (!plan.virtual_lights()) return memory;
     const std::uint64_t kinds = (plan.media_to_media ? 1u : 0u) + (plan.media_to_surface ? 1u : 0u);
-    const SelectionPlan selection = plan_selection(settings, scene.camera);
+    const SelectionPlan& selection = plan.selection;
     memory.push_back({"eye segments and eye points", pixels * static_cast<std::uint64_t>(selection.camera_samples) * kinds * sizeof(EyeSegment)});
     if (plan.media_to_media) add_device(settings, selection, "media_to_media", pixels, masks.media_to_media, memory);
     if (plan.media_to_surface) add_device(settings, selection, "media_to_surface", pixels, masks.media_to_surface, memory);

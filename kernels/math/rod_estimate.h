@@ -1,5 +1,5 @@
 /// What a virtual ray light sends to an eye segment or a surface point, roughly and in few operations: where the choice of lights is made, not the image
-/// (kernels/README.md, section 14). Everything is bounded and nothing is random.
+/// (kernels/README.md, section 16). Everything is bounded and nothing is random.
 #ifndef ROD_ESTIMATE_H
 #define ROD_ESTIMATE_H
 
