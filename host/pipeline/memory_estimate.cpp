@@ -49,9 +49,9 @@ void add_device(const RenderSettings& settings, const SelectionPlan& selection, 
     memory.push_back({layer + ": eyes and their sums", eyes * (sizeof(EyeSegment) + sums), true});
     memory.push_back({layer + ": virtual lights", lights * light_technique("virtual_ray_light").record_bytes, true});
     if (!occluders) return;
-    const std::uint64_t samples = static_cast<std::uint64_t>(settings.samples_per_pair), wanted = std::max<std::uint64_t>((settings.tile_pairs ? settings.tile_pairs : shadowed_pairs) / samples, 1);
-    const std::uint64_t tile_eyes = std::min<std::uint64_t>(eyes, std::max<std::uint64_t>(wanted / light_block, eye_alignment));
-    const std::uint64_t pairs = tile_eyes * std::min<std::uint64_t>(selection.slots_per_sample(), light_block) * samples;
+    const std::uint32_t samples = static_cast<std::uint32_t>(settings.samples_per_pair), wanted = std::max((settings.tile_pairs ? settings.tile_pairs : shadowed_pairs) / samples, 1u);
+    const std::uint32_t slots = std::min(selection.slots_per_sample(), light_block);
+    const std::uint64_t pairs = std::min<std::uint64_t>(eyes, shadowed_tile_eyes(wanted, slots)) * slots * samples;
     memory.push_back({layer + ": two tiles of shadow segments", 2 * pairs * (packet + contribution), true});
 }
 

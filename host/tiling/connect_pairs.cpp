@@ -20,7 +20,7 @@ std::vector<PairTile> tiles_of(std::uint32_t groups, std::uint32_t lights, const
     const bool fused = (settings.features & feature_bit::occluders) == 0;
     const std::uint32_t lanes = static_cast<std::uint32_t>(settings.lanes), aligned = eye_alignment / lanes;
     const std::uint32_t wanted = std::max(settings.tile_pairs ? settings.tile_pairs : fused ? fused_pairs : shadowed_pairs, 1u) / settings.samples;
-    const std::uint32_t most_eyes = fused ? 1u << 14 : std::max(wanted / light_block, eye_alignment);
+    const std::uint32_t most_eyes = fused ? 1u << 14 : shadowed_tile_eyes(wanted, lights);
     const std::uint32_t tile_groups = std::max(std::min(groups, most_eyes / lanes) / aligned * aligned, aligned);
     const std::uint32_t tile_lights = fused ? std::max(wanted / (tile_groups * lanes) / light_block, 1u) * light_block : light_block;
     std::vector<PairTile> tiles;

@@ -1,6 +1,7 @@
 #pragma once
 /// Cuts eyes x lights into tiles and takes each through sampling, visibility and accumulation; while the host answers one tile's shadow segments
 /// the device samples the next.
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -11,6 +12,9 @@
 namespace tyndall {
 
 inline constexpr std::uint32_t shadowed_pairs = 1u << 15;  ///< per tile with shadow segments: packets and contributions stay in a core's cache
+
+/// Eyes of a tile of about that many pairs that have shadow segments, where each eye has `lights` of them; its lights lie in one block.
+inline std::uint32_t shadowed_tile_eyes(std::uint32_t pairs, std::uint32_t lights) { return std::max(pairs / std::clamp(lights, 1u, light_block), eye_alignment); }
 
 /// Raw eye records, a multiple of eye_alignment of them, and what the host needs to know of each.
 struct EyeBatch {
