@@ -3,7 +3,7 @@
 #   bash bench/run.sh [OUT]          OUT: bench/results unless given
 #   BUILD=folder bash bench/run.sh   takes the programs of that build folder instead of building
 #   REPETITIONS=3 bash bench/run.sh  quicker; 7 unless given
-#   ONLY="pairs render" ...          renews only these results: pairs transmittance shadow_1_core shadow_2_cores build render variance effects selection cold_start prediction
+#   ONLY="pairs render" ...          renews only these results: pairs transmittance shadow_1_core shadow_2_cores build render variance effects selection scaling cold_start prediction
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
 out=${1:-$repository_root/bench/results}
@@ -56,6 +56,11 @@ if wanted selection; then
   say "measuring selection"
   mkdir -p "$out/selection"
   "$build/bench/selection" --passes 4 >"$out/selection/selection.json"
+fi
+if wanted scaling; then
+  say "measuring the number of lights"
+  mkdir -p "$out/scaling"
+  python3 -B "$repository_root/bench/scaling.py" "$build/tyndall" --json "$out/scaling/scaling.json" --svg "$out/scaling/scaling.svg"
 fi
 if wanted cold_start; then
   say "measuring cold_start"

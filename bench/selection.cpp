@@ -37,14 +37,6 @@ Scene small_scene(const std::string& name)
     return scene;
 }
 
-double relative_mse(const std::vector<double>& x, const std::vector<double>& reference)
-{
-    double mean = 0, sum = 0;
-    for (const double r : reference) mean += r / double(reference.size());
-    for (std::size_t i = 0; i < x.size(); ++i) sum += (x[i] - reference[i]) * (x[i] - reference[i]) / (reference[i] * reference[i] + .0025 * mean * mean);
-    return sum / double(x.size());
-}
-
 void run(const Scene& scene, Layer layer, const RenderSettings& settings, const std::vector<Rgb>& reference, double of_reference, Result& result)
 {
     double first = 0;
@@ -57,7 +49,7 @@ void run(const Scene& scene, Layer layer, const RenderSettings& settings, const 
     const std::vector<Rgb> image = outcome.film.mean(layer);
     const ImageError error = image_error(image, reference);
     result.pixels.push_back((error.relative_mse - of_reference) * settings.passes), result.trimmed.push_back(error.trimmed_relative_mse * settings.passes);
-    result.blocks.push_back(relative_mse(block_means(image, width), block_means(reference, width)) * settings.passes);
+    result.blocks.push_back(blocks_relative_mse(image, reference, width) * settings.passes);
 }
 
 double mean(const std::vector<double>& x)

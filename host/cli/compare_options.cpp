@@ -65,6 +65,7 @@ void add_dials(CLI::App& app, CompareCommand& command)
     add_number_dial(app, command, "--lights", "virtual lights per pass (as `render` chooses for the longest time)", 1 << 24, "lights", &RenderSettings::lights);
     add_named_dial(app, command, "--selections", "all virtual lights for each pixel, or some: auto, all, tile", selection_names, &RenderSettings::selection);
     add_number_dial(app, command, "--selected", "virtual lights that are chosen for each pixel", 1 << 16, "chosen", &RenderSettings::selected_lights);
+    add_number_dial(app, command, "--candidates", "virtual lights that a region's squares choose among", 1 << 20, "candidates", &RenderSettings::candidates);
     add_number_dial(app, command, "--samples", "of every pair of light and eye per pass (1)", 256, "samples", &RenderSettings::samples_per_pair);
     add_list(app, "--lanes", "NUMBERS", "pixels per work-item: 1, 4, 8, 16 (by device)", [&](const Texts& texts) {
         Dial dial;

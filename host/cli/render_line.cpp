@@ -22,6 +22,7 @@ std::string virtual_light_options(const RenderSettings& s)
     if (s.lights) line += fmt::format(" --lights {}", s.lights);
     if (s.selection != Selection::automatic) line += fmt::format(" --select {}", name_in(selection_names, s.selection));
     if (s.selected_lights) line += fmt::format(" --selected {}", s.selected_lights);
+    if (s.candidates) line += s.candidates == all_lights ? " --candidates all" : fmt::format(" --candidates {}", s.candidates);
     if (s.samples_per_pair != 1) line += fmt::format(" --samples {}", s.samples_per_pair);
     if (s.lanes) line += fmt::format(" --lanes {}", s.lanes);
     if (!s.device.empty()) line += " --device " + shell_quoted(s.device);

@@ -81,6 +81,8 @@ void add_selection(CLI::App& app, RenderSettings& settings)
         [&](const auto& text) { settings.selected_lights = static_cast<std::uint32_t>(parse_integer("--selected", text, 1, 1 << 16)); });
     add(app, "--block", "PIXELS", "width of the squares that share an estimate: 4, 8 or 16 (by rule)",
         [&](const auto& text) { settings.selection_block = std::array{4, 8, 16}[parse_choice("--block", text, {"4", "8", "16"})]; });
+    add(app, "--candidates", "N", "virtual lights chosen for a region of 8 x 8 squares, among which they choose, or all (by rule)",
+        [&](const auto& text) { settings.candidates = text == "all" ? all_lights : static_cast<std::uint32_t>(parse_integer("--candidates", text, 1, 1 << 20)); });
     add(app, "--defence", "SHARE", "of the choice that goes by power alone: .1 or 10% (by rule)",
         [&](const auto& text) { settings.selection_defence = parse_share("--defence", text); });
     add(app, "--camera-samples", "N", "per pixel and pass, for virtual lights (by rule)",

@@ -63,7 +63,7 @@ void add_warnings(ImagePair& pair, const ImageFile& image, const ImageFile& refe
 ImagePair compare_image_files(const ImageFile& image, const ImageFile& reference)
 {
     require_same_window(image, reference);
-    ImagePair pair{.error = image_error(image.pixels, reference.pixels), .block = worst_block(image, reference)};
+    ImagePair pair{.error = image_error(image.pixels, reference.pixels), .block = worst_block(image, reference), .blocks_relative_mse = blocks_relative_mse(image.pixels, reference.pixels, image.width)};
     if (pair.error.reference_mean > 0) pair.bias = pair.error.mean / pair.error.reference_mean - 1;
     const auto width = static_cast<std::size_t>(image.width);
     pair.worst_x = static_cast<int>(pair.error.worst_pixel % width), pair.worst_y = static_cast<int>(pair.error.worst_pixel / width);

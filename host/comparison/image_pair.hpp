@@ -19,6 +19,7 @@ struct ImagePair {
     ImageError error;
     double bias = 0;  ///< mean / mean of the reference - 1; 0 for a black reference
     BlockDifference block;
+    double blocks_relative_mse = 0;  ///< metrics/block_means.hpp; not a number without a whole block
     int worst_x = 0, worst_y = 0;  ///< pixel that holds the largest term of relMSE
     /// Expected relMSE from the variances in the files; none unless both have them.
     std::optional<double> noise_relative_mse;

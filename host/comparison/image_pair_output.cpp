@@ -33,6 +33,7 @@ std::string to_table(const ImagePair& pair, const ImageFile& image, const ImageF
     text += line("relMSE", fmt::format("{:.4g}", e.relative_mse));
     text += line("relMSE, largest .1 % left out", fmt::format("{:.4g}", e.trimmed_relative_mse));
     text += line("relMSE that noise explains", pair.noise_relative_mse ? fmt::format("{:.4g}", *pair.noise_relative_mse) : "unknown: variances are not in both files");
+    if (std::isfinite(pair.blocks_relative_mse)) text += line("relMSE of means over 8 x 8", fmt::format("{:.4g}", pair.blocks_relative_mse));
     text += line("RMSE", fmt::format("{:.4g}", e.rmse));
     text += line("mean", fmt::format("{:.6g}, of the reference {:.6g}", e.mean, e.reference_mean));
     text += line("bias of the mean", signed_percent(pair.bias) + noise_of_bias(pair));
@@ -53,6 +54,7 @@ std::string to_json(const ImagePair& pair, const ImageFile& image, const ImageFi
                     {"error", number(std::sqrt(e.relative_mse))},
                     {"relative_mse", number(e.relative_mse)},
                     {"trimmed_relative_mse", number(e.trimmed_relative_mse)},
+                    {"blocks_relative_mse", number(pair.blocks_relative_mse)},
                     {"noise_relative_mse", noise},
                     {"rmse", number(e.rmse)},
                     {"mean", number(e.mean)},

@@ -29,7 +29,7 @@ std::vector<KernelBuild> kernel_builds(const PairProgram& program)
     if (program.features & feature_bit::heterogeneous && program.eyes == EyeKind::segments) builds.push_back({"tabulate_eyes", own, program.features});
     if (program.features & feature_bit::occluders) builds.insert(builds.end(), {{"sample_pairs", own, program.features}, {"accumulate_pairs", build_options({.lanes = program.lanes}), 0}});
     else builds.push_back({"gather_lights", own, program.features});
-    if (program.selection) builds.insert(builds.end(), {estimate_build(program), {"weigh_lights", build_options({.lanes = program.lanes}), 0}, {"select_lights", build_options({.lanes = program.lanes}), 0}});
+    if (program.selection) builds.insert(builds.end(), {estimate_build(program), {"weigh_lights", build_options({.lanes = program.lanes}), 0}, {"pool_shares", build_options({.lanes = program.lanes}), 0}, {"select_lights", build_options({.lanes = program.lanes}), 0}});
     return builds;
 }
 
@@ -53,16 +53,15 @@ PairStage::PairStage(PairStage&&) noexcept = default;
 
 std::uint32_t PairStage::groups() const { return state_->eye_count / state_->lanes(); }
 
-void PairStage::begin(std::span<const std::byte> eyes, std::uint32_t eye_count, std::span<const std::byte> lights, std::uint32_t vertex_limit)
+void PairStage::begin(std::span<const std::byte> eyes, std::uint32_t eye_count, std::span<const std::byte> lights, std::uint32_t vertex_limit, std::span<const float> weights)
 {
     if (eye_count % eye_alignment != 0) throw std::logic_error("eyes are padded to a multiple of 16");
     state_->eye_count = eye_count, state_->vertex_limit = vertex_limit;
     state_->eyes.upload(state_->device, eyes);
-    state_->lights.upload(state_->device, lights);
-    state_->light_count = state_->slot_count = static_cast<std::uint32_t>(lights.size() / state_->program.light_bytes);
+    state_->light_count = state_->slot_count = state_->set_lights(state_->lights, lights, weights);
     state_->choices.reserve(state_->device, 0);
     cl::Buffer& sums = state_->sums.reserve(state_->device, std::size_t(eye_count) * 6 * sizeof(float));
-    state_->tabulate(state_->light_count);
+    state_->tabulate_segments();
     on_device(state_->device, "clearing sums", [&] { state_->device.queue.enqueueFillBuffer(sums, 0.0f, 0, std::max<std::size_t>(std::size_t(eye_count) * 6 * sizeof(float), 64)); });
 }
 

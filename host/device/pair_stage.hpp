@@ -73,7 +73,7 @@ struct KernelBuild {
     std::uint32_t features = 0;
 
     /// Its file in kernels/stages; kernels of one file and the same options are one program.
-    std::string file() const { return name == "weigh_lights" ? "select_lights" : name; }
+    std::string file() const { return name == "weigh_lights" || name == "pool_shares" ? "select_lights" : name; }
     /// It asks neither eyes, lights nor features: one program serves all.
     bool serves_all() const { return name == "accumulate_pairs" || file() == "select_lights"; }
 };
@@ -99,11 +99,17 @@ public:
     PairStage(PairStage&&) noexcept;
 
     /// Starts a set of eyes and lights: raw records, sums at zero, tables along them where there are density grids. vertex_limit: at most so many scattering vertices on a path (ignored without DEPTH_LIMIT).
-    void begin(std::span<const std::byte> eyes, std::uint32_t eye_count, std::span<const std::byte> lights, std::uint32_t vertex_limit);
+    /// weights: what each light counts for, if the lights were chosen among others (empty: 1).
+    void begin(std::span<const std::byte> eyes, std::uint32_t eye_count, std::span<const std::byte> lights, std::uint32_t vertex_limit, std::span<const float> weights = {});
     std::uint32_t groups() const;
 
     /// Chooses lights for all eyes, after `begin` and before the first tile; from here on the tiles' lights are slots. Without lights it does nothing.
     void select(const LightSelection& selection);
+    /// Lights that `candidates` chooses among.
+    void offer(std::span<const std::byte> lights, std::uint32_t vertex_limit);
+    /// `slots` of the offered lights first ... first + count - 1, chosen for a region of which selection.standing are 16 eyes of the same depth: a light's expected
+    /// sum of weights is 1. By number; a light may come several times in a row. Waits.
+    std::vector<LightChoice> candidates(const LightSelection& selection, std::uint32_t first, std::uint32_t count, std::uint32_t key);
     /// What was chosen, slots per group of 16 eyes (tests, reports). Waits.
     std::vector<LightChoice> chosen() const;
 

@@ -25,6 +25,11 @@ struct TileSlot {
     cl::Event ready;
 };
 
+/// Lights, what each counts for, and what lies along them.
+struct LightBuffers {
+    GrowingBuffer records{CL_MEM_READ_ONLY}, weights{CL_MEM_READ_ONLY}, tables{CL_MEM_READ_WRITE};
+};
+
 enum class Timed { gather, sample, accumulate, tabulate, select };
 
 inline constexpr std::size_t table_nodes = 65;  ///< kernels/volumes/optical_table.h
@@ -34,11 +39,13 @@ inline std::uint32_t work_items(std::uint32_t groups, std::uint32_t local) { ret
 struct PairStage::State {
     DeviceState& device;
     PairProgram program;
-    cl::Kernel gather, sample, accumulate, tabulate_lights, tabulate_eyes, estimate, weigh, select;
-    GrowingBuffer eyes{CL_MEM_READ_ONLY}, lights{CL_MEM_READ_ONLY}, media{CL_MEM_READ_ONLY}, containers{CL_MEM_READ_ONLY}, planes{CL_MEM_READ_ONLY};
+    cl::Kernel gather, sample, accumulate, tabulate_lights, tabulate_eyes, estimate, weigh, pool, select;
+    LightBuffers lights, offered;
+    GrowingBuffer eyes{CL_MEM_READ_ONLY}, media{CL_MEM_READ_ONLY}, containers{CL_MEM_READ_ONLY}, planes{CL_MEM_READ_ONLY};
     GrowingBuffer lobes{CL_MEM_READ_ONLY}, phase_values{CL_MEM_READ_ONLY}, grids{CL_MEM_READ_ONLY}, voxels{CL_MEM_READ_ONLY};
-    GrowingBuffer eye_tables{CL_MEM_READ_WRITE}, light_tables{CL_MEM_READ_WRITE};
+    GrowingBuffer eye_tables{CL_MEM_READ_WRITE};
     GrowingBuffer standing{CL_MEM_READ_ONLY}, blocks{CL_MEM_READ_ONLY}, estimates{CL_MEM_READ_WRITE}, powers{CL_MEM_READ_WRITE}, ticks{CL_MEM_READ_WRITE}, totals{CL_MEM_READ_WRITE}, choices{CL_MEM_READ_WRITE};
+    GrowingBuffer pooled{CL_MEM_READ_WRITE}, pooled_total{CL_MEM_READ_WRITE}, drawn{CL_MEM_READ_WRITE};
     GrowingBuffer sums{CL_MEM_READ_WRITE}, ledger{CL_MEM_READ_WRITE};
     std::array<TileSlot, 2> slots;
     std::uint32_t eye_count = 0, light_count = 0, slot_count = 0, vertex_limit = 0, container_count = 0;
@@ -68,6 +75,7 @@ struct PairStage::State {
         if (name == "tabulate_eyes") return tabulate_eyes;
         if (name == "estimate_lights") return estimate;
         if (name == "weigh_lights") return weigh;
+        if (name == "pool_shares") return pool;
         if (name == "select_lights") return select;
         return name == "gather_lights" ? gather : name == "accumulate_pairs" ? accumulate : sample;
     }
@@ -80,33 +88,45 @@ struct PairStage::State {
         return i;
     }
 
-    /// Room for the tables, and the tables themselves.
-    void tabulate(std::uint32_t light_count)
+    void run_table(cl::Kernel& kernel, GrowingBuffer& records, GrowingBuffer& tables, std::uint32_t items)
     {
-        eye_tables.reserve(device, has_grids() && program.eyes == EyeKind::segments ? eye_count * table_bytes() : 0);
-        light_tables.reserve(device, has_grids() ? light_count * table_bytes() : 0);
-        if (!has_grids()) return;
-        const auto run = [&](cl::Kernel& kernel, GrowingBuffer& records, GrowingBuffer& tables, std::uint32_t items) {
-            if (items == 0) return;
-            kernel.setArg(0, records.get()), kernel.setArg(1, items);
-            kernel.setArg(set_surroundings(kernel, 2), tables.get());
-            launch(Timed::tabulate, kernel, items);
-        };
-        on_device(device, "tabulating what lies along lights and eyes", [&] {
-            run(tabulate_lights, lights, light_tables, light_count);
-            if (program.eyes == EyeKind::segments) run(tabulate_eyes, eyes, eye_tables, eye_count / lanes());
-        });
+        if (items == 0) return;
+        kernel.setArg(0, records.get()), kernel.setArg(1, items);
+        kernel.setArg(set_surroundings(kernel, 2), tables.get());
+        launch(Timed::tabulate, kernel, items);
     }
+
+    /// Uploads lights, with what each counts for (empty: 1), and tabulates what lies along them. Returns how many they are.
+    std::uint32_t set_lights(LightBuffers& to, std::span<const std::byte> records, std::span<const float> weights)
+    {
+        const auto count = static_cast<std::uint32_t>(records.size() / program.light_bytes);
+        to.records.upload(device, records);
+        if (program.selection) to.weights.upload(device, weights.empty() ? bytes_of(std::vector<float>(count, 1.0f)) : std::as_bytes(weights));
+        to.tables.reserve(device, has_grids() ? count * table_bytes() : 0);
+        if (has_grids()) on_device(device, "tabulating what lies along lights", [&] { run_table(tabulate_lights, to.records, to.tables, count); });
+        return count;
+    }
+
+    void tabulate_segments()
+    {
+        const bool wanted = has_grids() && program.eyes == EyeKind::segments;
+        eye_tables.reserve(device, wanted ? eye_count * table_bytes() : 0);
+        if (wanted) on_device(device, "tabulating what lies along eyes", [&] { run_table(tabulate_eyes, eyes, eye_tables, eye_count / lanes()); });
+    }
+
+    void weigh_lights(LightBuffers& from, std::uint32_t first, std::uint32_t count, const LightSelection& selection);
+    void draw_lights(std::span<const EyeBlock> wanted, LightBuffers& from, std::uint32_t count, std::uint32_t slots, GrowingBuffer& shares, GrowingBuffer& sums_of_shares,
+                     GrowingBuffer& drawn);
 
     /// The arguments that gather and sample share; returns the next index.
     cl_uint set_common(cl::Kernel& kernel, const PairTile& tile)
     {
         cl_uint i = 0;
         kernel.setArg(i++, eyes.get()), kernel.setArg(i++, tile.first_group), kernel.setArg(i++, tile.groups);
-        kernel.setArg(i++, lights.get()), kernel.setArg(i++, tile.first_light), kernel.setArg(i++, tile.lights);
+        kernel.setArg(i++, lights.records.get()), kernel.setArg(i++, tile.first_light), kernel.setArg(i++, tile.lights);
         kernel.setArg(i++, program.samples), kernel.setArg(i++, vertex_limit);
         i = set_surroundings(kernel, i);
-        kernel.setArg(i++, eye_tables.get()), kernel.setArg(i++, light_tables.get());
+        kernel.setArg(i++, eye_tables.get()), kernel.setArg(i++, lights.tables.get());
         kernel.setArg(i++, choices.get()), kernel.setArg(i++, slot_count);
         return i;
     }

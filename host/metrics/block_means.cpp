@@ -19,6 +19,20 @@ std::vector<double> block_means(std::span<const Rgb> image, int width)
     return means;
 }
 
+double blocks_relative_mse(std::span<const Rgb> image, std::span<const Rgb> reference, int width)
+{
+    const std::vector<double> means = block_means(image, width), expected = block_means(reference, width);
+    if (means.empty()) return std::numeric_limits<double>::quiet_NaN();
+    double mean = 0, error = 0;
+    for (const double block : expected) mean += block / static_cast<double>(expected.size());
+    const double floor = .05 * mean * .05 * mean;
+    for (std::size_t b = 0; b < means.size(); ++b) {
+        const double difference = means[b] - expected[b], scale = expected[b] * expected[b] + floor;
+        error += difference == 0 ? 0 : difference * difference / scale / static_cast<double>(means.size());
+    }
+    return error;
+}
+
 void BlockStatistics::add(std::span<const Rgb> image, int width)
 {
     const std::vector<double> means = block_means(image, width);

@@ -14,6 +14,10 @@ inline constexpr int block_side = 8;  ///< pixels
 /// they count as one measurement.
 std::vector<double> block_means(std::span<const Rgb> image, int width);
 
+/// relMSE of the blocks' means, with epsilon = (.05 x their mean)^2 of the reference: the error at low frequencies, where errors that neighbouring pixels share do
+/// not average out. Not a number for images without a whole block.
+double blocks_relative_mse(std::span<const Rgb> image, std::span<const Rgb> reference, int width);
+
 /// Mean and spread of every block, and of the whole image, over independent images of one size.
 class BlockStatistics {
 public:

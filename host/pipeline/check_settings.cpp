@@ -29,6 +29,7 @@ void check_settings(const RenderSettings& s)
     require(s.tile_pairs <= 1u << 28, "tile = " + std::to_string(s.tile_pairs) + " pairs is more than " + std::to_string(1u << 28));
     require(s.samples_per_pair >= 1 && s.samples_per_pair <= 256, "samples per pair = " + std::to_string(s.samples_per_pair) + " must lie between 1 and 256");
     require(s.selected_lights <= 1u << 16, "selected lights = " + std::to_string(s.selected_lights) + " per pixel is more than " + std::to_string(1u << 16));
+    require(s.candidates <= 1u << 20 || s.candidates == all_lights, "candidates = " + std::to_string(s.candidates) + " is more than " + std::to_string(1u << 20));
     require(s.selection_block == 0 || s.selection_block == 4 || s.selection_block == 8 || s.selection_block == 16,
             "selection block = " + std::to_string(s.selection_block) + " pixels must be 4, 8 or 16 (0: by rule)");
     require(s.selection_defence <= 1, "the share of lights that are chosen by power must be at most 1");

@@ -56,11 +56,11 @@ struct BlockBatch {
 };
 
 /// The block after the last that fits a batch.
-std::size_t batch_end(const EyeBlocks& all, std::size_t first, std::size_t most_eyes, std::size_t lights)
+std::size_t batch_end(const EyeBlocks& all, std::size_t first, std::size_t end, std::size_t most_eyes, std::size_t lights)
 {
     const std::size_t most_standing = std::max<std::size_t>(estimates_at_a_time / std::max<std::size_t>(lights, 1), 1);
     std::size_t last = first + 1;
-    while (last < all.blocks.size() && all.blocks[last].standing - all.blocks[first].standing < most_standing &&
+    while (last < end && all.blocks[last].standing - all.blocks[first].standing < most_standing &&
            std::size_t(all.blocks[last].first + all.blocks[last].groups - all.blocks[first].first) * eye_alignment <= most_eyes)
         ++last;
     return last;
@@ -95,12 +95,24 @@ void EyeConnector::connect_chosen(std::span<const Eye> eyes, std::span<const std
                          .key = random(3),
                          .samples = selection_.camera_samples};
     const EyeBlocks all = block_eyes(places, grid);
-    for (std::size_t first = 0, last = 0; first < all.blocks.size(); first = last) {
-        last = batch_end(all, first, eyes_at_a_time(settings_.features), lights.count);
+    RegionLights candidates(stage_, lights, selection_, settings_.vertex_limit, key);
+    for (std::size_t r = 0; r < all.regions.size(); ++r) {
+        const std::size_t first = all.regions[r], last = r + 1 < all.regions.size() ? all.regions[r + 1] : all.blocks.size();
+        if (!candidates.wanted()) return connect_blocks(eyes, all, 0, all.blocks.size(), {lights.records, lights.count}, visibility, counts, image);
+        connect_blocks(eyes, all, first, last, candidates.of(eyes, all, first, last), visibility, counts, image);
+    }
+}
+
+template <typename Eye>
+void EyeConnector::connect_blocks(std::span<const Eye> eyes, const EyeBlocks& all, std::size_t first_block, std::size_t last_block, const LightBatch& lights, const Visibility& visibility,
+                                  ConnectCounts& counts, std::vector<Rgb>& image)
+{
+    for (std::size_t first = first_block, last = 0; first < last_block; first = last) {
+        last = batch_end(all, first, last_block, eyes_at_a_time(settings_.features), lights.count);
         const BlockBatch<Eye> batch(eyes, all, first, last);
         const LightSelection selection{.standing = std::as_bytes(std::span(batch.standing)), .standing_count = static_cast<std::uint32_t>(batch.standing.size()),
                                        .blocks = batch.blocks, .slots = selection_.slots_per_sample(), .defence = static_cast<float>(selection_.defence)};
-        const std::vector<double> sums = connect_pairs(stage_, visibility, batch_of(batch.eyes), {lights.records, lights.count}, settings_, counts, &selection);
+        const std::vector<double> sums = connect_pairs(stage_, visibility, batch_of(batch.eyes), lights, settings_, counts, &selection);
         const std::size_t start = all.blocks[first].first * std::size_t(eye_alignment);
         for (std::size_t i = 0; i < batch.eyes.size(); ++i)
             if (all.order[start + i] != no_eye) add(sums, i, 1. / settings_.samples, image[batch.eyes[i].pixel]);

@@ -7,7 +7,9 @@
 #include "lights/light_technique.hpp"
 #include "light_tracing/light_tracing.hpp"
 #include "pipeline/light_selection_plan.hpp"
+#include "pipeline/region_lights.hpp"
 #include "tiling/connect_pairs.hpp"
+#include "tiling/eye_blocks.hpp"
 
 namespace tyndall {
 
@@ -28,6 +30,10 @@ public:
 private:
     template <typename Eye>
     void connect_all(std::span<const Eye> eyes, const VirtualLights& lights, const Visibility& visibility, ConnectCounts& counts, std::vector<Rgb>& image);
+    /// Eyes first ... last - 1 of the blocks' order, in batches.
+    template <typename Eye>
+    void connect_blocks(std::span<const Eye> eyes, const EyeBlocks& all, std::size_t first_block, std::size_t last_block, const LightBatch& lights, const Visibility& visibility,
+                        ConnectCounts& counts, std::vector<Rgb>& image);
     template <typename Eye>
     void connect_chosen(std::span<const Eye> eyes, std::span<const std::size_t> ends, const VirtualLights& lights, const Visibility& visibility, std::uint64_t key, ConnectCounts& counts,
                         std::vector<Rgb>& image);

@@ -9,7 +9,7 @@
 namespace tyndall {
 namespace {
 
-constexpr std::uint32_t usual_lights = 2048, usual_slots = 64;
+constexpr std::uint32_t usual_lights = 2048, usual_slots = 64, usual_candidates = 4096;
 constexpr std::uint32_t fewest_lights = 512;  ///< to choose from: of fewer the estimates cost more than they save
 constexpr double pixel_seconds = 1.3e-6;      ///< a pixel's part of such a pass on a CPU of two cores
 constexpr double fewest_passes = 12;          ///< so that the error bar means something
@@ -44,6 +44,7 @@ SelectionPlan plan_selection(const RenderSettings& settings, const Camera& camer
     const std::uint32_t wanted = settings.selected_lights ? settings.selected_lights : usual_slots, samples = static_cast<std::uint32_t>(plan.camera_samples);
     plan.slots = plan.chosen ? std::max((wanted + samples / 2) / samples, 1u) * samples : plan.lights * samples;
     if (settings.selection_block > 0) plan.block = settings.selection_block;
+    plan.candidates = !plan.chosen || settings.candidates == all_lights ? 0 : settings.candidates > 0 ? settings.candidates : usual_candidates;
     if (settings.selection_defence >= 0) plan.defence = settings.selection_defence;
     return plan;
 }
@@ -58,7 +59,8 @@ std::string to_text(const SelectionPlan& plan)
 {
     const std::string samples = plan.camera_samples > 1 ? fmt::format(", in {} camera samples", plan.camera_samples) : "";
     if (!plan.chosen) return fmt::format("all {} per pixel{}: {}", plan.lights, samples, plan.why);
-    return fmt::format("{} of {} per pixel{}, by an estimate per {} x {} pixels and {:g} % by power: {}", plan.slots, plan.lights, samples, plan.block, plan.block,
+    const std::string first = plan.by_region() ? fmt::format(" among {} per region", plan.candidates) : "";
+    return fmt::format("{} of {} per pixel{}, by an estimate per {} x {} pixels{} and {:g} % by power: {}", plan.slots, plan.lights, samples, plan.block, plan.block, first,
                        100 * plan.defence, plan.why);
 }
 

@@ -14,9 +14,13 @@ struct SelectionPlan {
     std::uint32_t slots = 0;   ///< lights per pixel and pass, over all its camera samples; all of them unless `chosen`
     int block = 8;             ///< pixels across of the squares that share an estimate
     double defence = .1;       ///< share that goes by power alone
+    std::uint32_t candidates = 0;  ///< lights that are chosen for a region of 8 x 8 squares, for the squares to choose among; 0: all
+    std::uint32_t offered = 1u << 16;  ///< of more lights than that a region looks at one of several equal parts
     int camera_samples = 1;    ///< per pixel and pass, for virtual lights
     std::string why;
 
+    /// Do squares choose among candidates?
+    bool by_region() const { return chosen && candidates > 0 && lights / 2 > candidates; }
     std::uint32_t slots_per_sample() const { return slots / static_cast<std::uint32_t>(camera_samples); }
 };
 

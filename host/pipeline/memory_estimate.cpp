@@ -32,9 +32,12 @@ void add_tables(const std::string& layer, std::uint64_t segments, std::uint32_t 
 /// Estimates of the lights for squares of pixels, and what was chosen by them.
 void add_choice(const std::string& layer, std::uint64_t eyes, const SelectionPlan& plan, std::vector<MemoryReport>& memory)
 {
-    const std::uint64_t squares = std::min<std::uint64_t>(eyes / static_cast<std::uint64_t>(plan.block * plan.block * plan.camera_samples) + 1, estimates_at_a_time / std::max(plan.lights, 1u) + 1);
+    constexpr std::uint64_t estimate = sizeof(float) + sizeof(std::uint32_t);
+    const std::uint64_t lights = std::max(plan.by_region() ? plan.candidates : plan.lights, 1u);
+    const std::uint64_t squares = std::min<std::uint64_t>(eyes / static_cast<std::uint64_t>(plan.block * plan.block * plan.camera_samples) + 1, estimates_at_a_time / lights + 1);
+    const std::uint64_t of_regions = plan.by_region() ? 2 * eye_alignment * estimate * std::min(plan.lights, plan.offered) : 0;
     memory.push_back({layer + ": chosen lights and their estimates",
-                      squares * plan.lights * (sizeof(float) + sizeof(std::uint32_t)) + eyes / eye_alignment * plan.slots_per_sample() * sizeof(LightChoice), true});
+                      std::max(squares * lights * estimate, of_regions) + eyes / eye_alignment * plan.slots_per_sample() * sizeof(LightChoice), true});
 }
 
 /// What one kind of eye takes on the device.
@@ -47,7 +50,7 @@ void add_device(const RenderSettings& settings, const SelectionPlan& selection, 
     add_tables(layer, layer == "media_to_media" ? eyes : 0, features, lights, memory);
     constexpr std::uint64_t sums = 6 * sizeof(float), packet = sizeof(ShadowPacket) / SHADOW_PACKET_SIZE, contribution = 3 * sizeof(float);
     memory.push_back({layer + ": eyes and their sums", eyes * (sizeof(EyeSegment) + sums), true});
-    memory.push_back({layer + ": virtual lights", lights * light_technique("virtual_ray_light").record_bytes, true});
+    memory.push_back({layer + ": virtual lights", (lights + (selection.by_region() ? selection.candidates : 0)) * light_technique("virtual_ray_light").record_bytes, true});
     if (!occluders) return;
     const std::uint32_t samples = static_cast<std::uint32_t>(settings.samples_per_pair), wanted = std::max((settings.tile_pairs ? settings.tile_pairs : shadowed_pairs) / samples, 1u);
     const std::uint32_t slots = std::min(selection.slots_per_sample(), light_block);

@@ -70,7 +70,7 @@ std::uint64_t answer(const Visibility& visibility, const SampledTile& sampled, c
 std::vector<double> connect_pairs(PairStage& stage, const Visibility& visibility, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings,
                                   ConnectCounts& counts, const LightSelection* selection)
 {
-    stage.begin(eyes.records, eyes.count, lights.records, settings.vertex_limit);
+    stage.begin(eyes.records, eyes.count, lights.records, settings.vertex_limit, lights.weights);
     if (selection) stage.select(*selection);
     const std::uint32_t slots = selection && lights.count > 0 ? selection->slots : lights.count;
     const std::vector<PairTile> tiles = tiles_of(stage.groups(), slots, settings);

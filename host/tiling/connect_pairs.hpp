@@ -26,6 +26,7 @@ struct EyeBatch {
 struct LightBatch {
     std::span<const std::byte> records;
     std::uint32_t count = 0;
+    std::span<const float> weights{};  ///< what each counts for; empty: 1
 };
 
 struct ConnectSettings {

@@ -9,13 +9,14 @@ namespace tyndall {
 namespace {
 
 struct Placed {
-    std::uint32_t square, medium, depth, piece, sample;  ///< the block's identity
+    std::uint32_t region, medium, depth, square, piece, sample;  ///< the block's identity
     std::uint32_t lattice, index;                ///< order within it
     int from_middle;                             ///< squared distance of the pixel, in half pixels
 };
 
-auto without_sample(const Placed& p) { return std::tie(p.square, p.medium, p.depth, p.piece); }
-auto identity(const Placed& p) { return std::tie(p.square, p.medium, p.depth, p.piece, p.sample); }
+auto region(const Placed& p) { return std::tie(p.region, p.medium, p.depth); }
+auto without_sample(const Placed& p) { return std::tie(p.region, p.medium, p.depth, p.square, p.piece); }
+auto identity(const Placed& p) { return std::tie(p.region, p.medium, p.depth, p.square, p.piece, p.sample); }
 
 /// How many earlier eyes of the same camera path are in the same medium at the same depth?
 std::uint32_t piece_number(std::span<const EyePlace> eyes, std::size_t i)
@@ -33,9 +34,11 @@ std::vector<Placed> placed_eyes(std::span<const EyePlace> eyes, const BlockGrid&
     for (std::size_t i = 0; i < eyes.size(); ++i) {
         const int x = static_cast<int>(eyes[i].pixel) % grid.width + grid.offset_x, y = static_cast<int>(eyes[i].pixel) / grid.width + grid.offset_y;
         const int dx = 2 * (x % grid.size) + 1 - grid.size, dy = 2 * (y % grid.size) + 1 - grid.size;
-        placed[i] = {.square = static_cast<std::uint32_t>(y / grid.size * across + x / grid.size),
+        const int region_size = grid.size * grid.region;
+        placed[i] = {.region = static_cast<std::uint32_t>(y / region_size * across + x / region_size),
                      .medium = eyes[i].medium,
                      .depth = eyes[i].depth,
+                     .square = static_cast<std::uint32_t>(y / grid.size * across + x / grid.size),
                      .piece = piece_number(eyes, i),
                      .sample = eyes[i].sample,
                      .lattice = static_cast<std::uint32_t>(y % step * step + x % step),
@@ -71,6 +74,7 @@ EyeBlocks block_eyes(std::span<const EyePlace> eyes, const BlockGrid& grid)
     const std::vector<Placed> placed = placed_eyes(eyes, grid);
     EyeBlocks all;
     for (std::size_t first = 0, last = 0; first < placed.size(); first = last) {
+        if (first == 0 || region(placed[first]) != region(placed[first - 1])) all.regions.push_back(static_cast<std::uint32_t>(all.blocks.size()));
         std::size_t middle = first;
         for (last = first; last < placed.size() && without_sample(placed[last]) == without_sample(placed[first]); ++last)
             if (placed[last].from_middle < placed[middle].from_middle) middle = last;

@@ -18,6 +18,7 @@ struct BlockGrid {
     int width = 1, size = 8, offset_x = 0, offset_y = 0;
     std::uint32_t key = 0;  ///< random; each block mixes its number into it
     int samples = 1;        ///< of the camera per pixel
+    int region = 8;         ///< squares across of a region
 };
 
 inline constexpr std::uint32_t no_eye = 0xffffffffu;
@@ -26,10 +27,11 @@ inline constexpr std::uint32_t no_eye = 0xffffffffu;
 struct EyeBlocks {
     std::vector<std::uint32_t> order;     ///< number of the eye in each place; no_eye: padding
     std::vector<EyeBlock> blocks;
+    std::vector<std::uint32_t> regions;   ///< number of each region's first block; its eyes are in one medium and at one depth
     std::vector<std::uint32_t> standing;  ///< numbers of eyes near the middle of their squares, whose estimates blocks use (EyeBlock::standing)
 };
 
-/// Eyes of one block are of the same camera sample, in the same square, medium and depth, and are the same piece of their camera paths; the blocks of all camera
+/// Eyes of one block are of the same camera sample, in the same region and square, medium and depth, and are the same piece of their camera paths; the blocks of all camera
 /// samples that agree in the rest follow each other and share one standing eye.
 EyeBlocks block_eyes(std::span<const EyePlace> eyes, const BlockGrid& grid);
 

@@ -20,24 +20,25 @@ PURE real allowed_estimate(Eye eye, Light light, real estimate, uint vertex_limi
     return select(R(-1.0), estimate, to_mask(eye.depth + light.depth + 2u <= vertex_limit));
 }
 
-__kernel void estimate_lights(__global const EyeRecord* eyes, uint groups, __global const Light* lights, uint count, uint vertex_limit,
-                              SURROUNDINGS_PARAMETERS, TABLES_PARAMETERS, __global float* estimates, __global float* powers)
+/// Lights first ... first + count - 1; estimates and powers are counted from the first of them. weights: what each light counts for, 1 unless it was chosen.
+__kernel void estimate_lights(__global const EyeRecord* eyes, uint groups, __global const Light* lights, __global const float* weights, uint first_light, uint count,
+                              uint vertex_limit, SURROUNDINGS_PARAMETERS, TABLES_PARAMETERS, __global float* estimates, __global float* powers)
 {
     uint light_blocks = (count + LIGHT_BLOCK - 1u) / LIGHT_BLOCK, group = get_global_id(0) / light_blocks, first = get_global_id(0) % light_blocks * LIGHT_BLOCK;
     if (group >= groups) return;
     Surroundings s = SURROUNDINGS;
     Eye eye = load_eye(eyes, group, s);
     for (uint number = first; number < min(first + LIGHT_BLOCK, count); ++number) {
-        Light light = lights[number];
+        Light light = lights[first_light + number];
         MediumRecord medium = medium_of(s, light);
-        float density = density_around(s, light, number);
+        float density = density_around(s, light, first_light + number), counts = density * weights[first_light + number];
         float around = HETEROGENEOUS && medium.density_grid != NO_GRID ? density * AROUND_LIGHTS : density;
-        real estimate = estimate_light(eye, light, medium, (real)around) * (real)density;
+        real estimate = estimate_light(eye, light, medium, (real)around) * (real)counts;
         estimate = select(R(0.0), fmin(estimate, R(1e30)), estimate > R(0.0));               // not a number: 0
         store_lanes(allowed_estimate(eye, light, estimate, vertex_limit), 0, estimates + ((size_t)group * count + number) * LANES);
         if (group > 0u) continue;
         float power[LANES];
-        store_lanes(light_power(light, medium) * (real)density, 0, power);
+        store_lanes(light_power(light, medium) * (real)counts, 0, power);
         powers[number] = power[0] > 0.0f ? fmin(power[0], 1e30f) : 0.0f;
     }
 }

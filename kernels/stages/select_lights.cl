@@ -6,6 +6,7 @@
 
 /// Probabilities are whole numbers of ticks, so that they add up without rounding: what a light is divided by is what it was chosen with.
 #define ALL_TICKS R(0x1p30)
+#define POOLED_LIGHTS 256u  // per work-item of pool_shares
 
 typedef struct {
     float total;      ///< power of all lights
@@ -67,7 +68,7 @@ PURE uint place_in(Strata s, uint stratum, uint total)
 }
 
 /// Lights for one block, by one walk over all lights. Each group takes a random one of its slot's strata.
-PURE void choose_for_block(__global const uint* ticks, uint count, uint total, Strata s, __global LightChoice* choices)
+PURE void choose_for_block(__global const uint* ticks, __global const float* weights, uint count, uint total, Strata s, __global LightChoice* choices)
 {
     EyeBlock b = s.block;
     uint strata = b.groups * s.slots, stratum = 0u, below = 0u, place = place_in(s, 0u, total);
@@ -76,7 +77,7 @@ PURE void choose_for_block(__global const uint* ticks, uint count, uint total, S
         below += q;
         while (stratum < strata && place < below) {
             uint slot = stratum / b.groups, group = (stratum + rotation(b.key + b.part + 1u, slot, b.groups)) % b.groups;
-            LightChoice choice = {i, (float)total / ((float)(s.slots * b.parts) * (float)q)};
+            LightChoice choice = {i, (float)total / ((float)(s.slots * b.parts) * (float)q) * weights[i]};
             choices[(b.first + group) * s.slots + slot] = choice;
             ++stratum;
             place = place_in(s, stratum, total);
@@ -88,12 +89,26 @@ PURE void choose_for_block(__global const uint* ticks, uint count, uint total, S
     }
 }
 
-/// One work-item per block.
-__kernel void select_lights(__global const EyeBlock* blocks, uint block_count, uint count, uint slots, __global const uint* ticks, __global const uint* totals,
-                            __global LightChoice* choices)
+/// For a region of many squares: the mean share of each light over `eyes` eyes that stand for it. One work-item per POOLED_LIGHTS lights; total starts at 0.
+__kernel void pool_shares(__global const uint* ticks, uint eyes, uint count, __global uint* pooled, __global uint* total)
+{
+    uint first = get_global_id(0) * POOLED_LIGHTS, sum = 0u;
+    for (uint i = first; i < min(first + POOLED_LIGHTS, count); ++i) {
+        ulong all = 0;
+        for (uint eye = 0; eye < eyes; ++eye) all += ticks[((size_t)(eye / LANES) * count + i) * LANES + eye % LANES];
+        uint mean = (uint)((all + eyes - 1u) / eyes);                      // upwards: no light that an eye needs is lost
+        pooled[(size_t)i * LANES] = mean;
+        sum += mean;
+    }
+    if (sum > 0u) atomic_add(total, sum);                                  // of whole numbers: in any order
+}
+
+/// One work-item per block. weights: as in estimate_lights.
+__kernel void select_lights(__global const EyeBlock* blocks, uint block_count, __global const float* weights, uint count, uint slots, __global const uint* ticks,
+                            __global const uint* totals, __global LightChoice* choices)
 {
     if (get_global_id(0) >= block_count) return;
     EyeBlock block = blocks[get_global_id(0)];
     Strata s = {block, slots, 0xfffffffffffffffful / max(slots * block.parts * block.groups, 1u)};
-    choose_for_block(ticks + ((size_t)(block.standing / LANES) * count) * LANES + block.standing % LANES, count, totals[block.standing], s, choices);
+    choose_for_block(ticks + ((size_t)(block.standing / LANES) * count) * LANES + block.standing % LANES, weights, count, totals[block.standing], s, choices);
 }

@@ -182,6 +182,49 @@ TEST_P(SelectionAtEveryLaneWidth, SumsAgreeWithAllLightsAndTheEstimateHelps)
     }
 }
 
+// Candidates for a region, and what squares choose among them, still count every light once on average.
+TEST_P(SelectionAtEveryLaneWidth, EveryCandidateCountsOnceOnAverage)
+{
+    constexpr std::uint32_t lights = 60, first = 10, count = 45, slots = 12;
+    constexpr int repeats = 3000;
+    const auto pairs = random_pairs({.eyes = 64, .lights = lights, .g = .9});
+    PairStage stage(device(), program(EyeKind::segments, feature_bit::anisotropic, GetParam()), pairs.tables);
+    stage.offer(pairs.lights, 0xffffffffu);
+    const std::span<const std::byte> standing = eyes_of(pairs, EyeKind::segments).first(eye_alignment * sizeof(EyeSegment));
+    std::vector<double> sum(lights), squares(lights);
+    for (std::uint32_t repeat = 0; repeat < repeats; ++repeat) {
+        const auto drawn = stage.candidates({.standing = standing, .standing_count = eye_alignment, .blocks = {}, .slots = slots}, first, count, 0x9e3779b9u * repeat);
+        const auto of_light = weight_sums(drawn, slots, lights);
+        for (std::size_t i = 0; i < lights; ++i) sum[i] += of_light[i], squares[i] += of_light[i] * of_light[i];
+    }
+    for (std::uint32_t i = 0; i < lights; ++i) {
+        const double mean = sum[i] / repeats, variance = squares[i] / repeats - mean * mean, expected = i >= first && i < first + count ? 1 : 0;
+        EXPECT_LE(std::abs(mean - expected), 5.5 * std::sqrt(variance / repeats)) << "light " << i;
+    }
+}
+
+// Lights that count for more are chosen more often, and what is chosen carries what they count for.
+TEST_P(SelectionAtEveryLaneWidth, WeightsOfCandidatesAreCarriedOn)
+{
+    constexpr std::uint32_t lights = 40, slots = 20;
+    constexpr int repeats = 2000;
+    const auto pairs = random_pairs({.eyes = 16, .lights = lights});
+    PairStage stage(device(), program(EyeKind::segments, 0, GetParam()), pairs.tables);
+    std::vector<float> weights(lights);
+    for (std::uint32_t i = 0; i < lights; ++i) weights[i] = .25f * static_cast<float>(1 + i % 7);
+    std::vector<double> sum(lights), squares(lights);
+    for (std::uint32_t repeat = 0; repeat < repeats; ++repeat) {
+        stage.begin(eyes_of(pairs, EyeKind::segments), 16, pairs.lights, 0xffffffffu, weights);
+        stage.select(blocks_of(pairs, EyeKind::segments, 1, 0x9e3779b9u * repeat).selection(slots));
+        const auto of_light = weight_sums(stage.chosen(), slots, lights);
+        for (std::size_t i = 0; i < lights; ++i) sum[i] += of_light[i], squares[i] += of_light[i] * of_light[i];
+    }
+    for (std::uint32_t i = 0; i < lights; ++i) {
+        const double mean = sum[i] / repeats, variance = squares[i] / repeats - mean * mean;
+        EXPECT_LE(std::abs(mean - double(weights[i])), 5.5 * std::sqrt(variance / repeats)) << "light " << i;
+    }
+}
+
 TEST_P(SelectionAtEveryLaneWidth, PathsThatAreTooLongAreNeverChosen)
 {
     auto pairs = random_pairs({.eyes = 32, .lights = 200});

@@ -49,6 +49,8 @@ struct Crop {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
+inline constexpr std::uint32_t all_lights = 0xffffffffu;
+
 struct RenderSettings {
     Method method = Method::vrl;
     LayerSet layers = LayerSet::all();
@@ -72,6 +74,7 @@ struct RenderSettings {
     Selection selection = Selection::automatic;
     std::uint32_t selected_lights = 0; ///< per pixel and pass; 0: by rule
     int selection_block = 0;           ///< pixels across of the squares that share an estimate, 4, 8 or 16; 0: by rule
+    std::uint32_t candidates = 0;      ///< lights chosen for a region of 8 x 8 squares, for the squares to choose among; 0: by rule, all_lights: no such choice
     double selection_defence = -1;     ///< share of the choice that goes by power alone, in [0, 1]; negative: by rule
     int camera_samples = 0;            ///< per pixel and pass, for virtual lights; 0: by rule
     double skip_thin = 0;              ///< leave media_to_media out if at most this share of what media scatter is scattered there again (biased); 0: never

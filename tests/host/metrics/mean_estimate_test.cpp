@@ -132,6 +132,16 @@ TEST(BlockMeans, OfWholeBlocksByHand)
     EXPECT_THAT(block_means(std::vector<Rgb>(7 * 7, Rgb(1)), 7), testing::IsEmpty());
 }
 
+TEST(BlockMeans, RelativeErrorByHand)
+{
+    std::vector<Rgb> reference(16 * 8, Rgb(1)), image(16 * 8, Rgb(1.5));   // blocks of 1 and 3, mean 2, e = .01; seen as 1.5 and 2
+    for (int y = 0; y < 8; ++y)
+        for (int x = 8; x < 16; ++x) reference[static_cast<std::size_t>(y * 16 + x)] = Rgb(3), image[static_cast<std::size_t>(y * 16 + x)] = Rgb(1 + (x + y) % 2 * 2.);
+    EXPECT_DOUBLE_EQ(blocks_relative_mse(image, reference, 16), (.25 / 1.01 + 1 / 9.01) / 2);
+    EXPECT_EQ(blocks_relative_mse(reference, reference, 16), 0);
+    EXPECT_TRUE(std::isnan(blocks_relative_mse(std::vector<Rgb>(7, Rgb(1)), std::vector<Rgb>(7, Rgb(1)), 7)));
+}
+
 TEST(Median, IsTheMiddle)
 {
     EXPECT_EQ(median(std::vector{3., 1., 2.}), 2);

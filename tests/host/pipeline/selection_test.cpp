@@ -30,7 +30,7 @@ TEST_P(Selected, GivesTheImageOfAllLights)
     const Scene scene = scene_of(GetParam().body);
     RenderSettings all{.passes = 300, .lights = 256, .seed = 2}, chosen = GetParam().chosen;
     all.segment_length = chosen.segment_length, all.max_depth = chosen.max_depth, all.selection = Selection::all;
-    chosen.passes = 300, chosen.lights = 600, chosen.selection = Selection::tile, chosen.selected_lights = 32;
+    chosen.passes = 450, chosen.lights = 600, chosen.selection = Selection::tile, chosen.selected_lights = 32;
     const WholeRender a = render_whole(scene, chosen), b = render_whole(scene, all);
     EXPECT_NE(a.report().selection.find("32 of 600"), std::string::npos) << a.report().selection;
     EXPECT_LT(a.report().pairs, b.report().pairs / 2);
@@ -46,6 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"DepthLimit", cube_of_fog + floor_below, {.max_depth = 5}},
                     Case{"Occluded", cube_of_fog + floor_below + box({-.3, .05, -.3}, {.3, .15, .3}, diffuse(Rgb(.5))), {.camera_samples = 4}},
                     Case{"Nested", cube_of_fog + smoke + container({-.3, -.2, -.2}, {.1, .3, .3}, "smoke", "fog") + floor_below, {.selection_block = 4}},
+                    Case{"AmongCandidates", cube_of_fog + smoke + container({-.3, -.2, -.2}, {.1, .3, .3}, "smoke", "fog") + floor_below, {.candidates = 40}},
                     Case{"ByPowerAlone", cube_of_fog + floor_below, {.selection_block = 16, .selection_defence = 1}}),
     [](const auto& info) { return info.param.name; });
 
@@ -79,12 +80,15 @@ TEST(Selection, ChoosesByItselfFromManyLightsOnly)
     EXPECT_EQ(render_whole(scene, {.passes = 1, .lights = 512}).report().selection.substr(0, 9), "64 of 512");
     EXPECT_EQ(render_whole(scene, {.passes = 1, .lights = 512, .selection = Selection::all}).report().selection.substr(0, 3), "all");
     EXPECT_EQ(render_whole(scene, {.passes = 1}).report().selection.substr(0, 10), "64 of 2048");
+    EXPECT_EQ(render_whole(scene, {.passes = 1}).report().selection.find("per region"), std::string::npos);
+    EXPECT_NE(render_whole(scene, {.passes = 1, .lights = 10000}).report().selection.find("among 4096 per region"), std::string::npos);
+    EXPECT_EQ(render_whole(scene, {.passes = 1, .lights = 10000, .candidates = all_lights}).report().selection.find("per region"), std::string::npos);
 }
 
 TEST(Selection, RefusesWhatMakesNoSense)
 {
     const Scene scene = scene_of(cube_of_fog);
-    for (const RenderSettings& bad : {RenderSettings{.passes = 1, .selected_lights = 1u << 17}, RenderSettings{.passes = 1, .selection_block = 5}, RenderSettings{.passes = 1, .selection_defence = 1.5},
+    for (const RenderSettings& bad : {RenderSettings{.passes = 1, .selected_lights = 1u << 17}, RenderSettings{.passes = 1, .selection_block = 5}, RenderSettings{.passes = 1, .candidates = (1u << 20) + 1}, RenderSettings{.passes = 1, .selection_defence = 1.5},
                                       RenderSettings{.passes = 1, .camera_samples = 65}})
         EXPECT_THROW(render(scene, bad), UsageError);
 }

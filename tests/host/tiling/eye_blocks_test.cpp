@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 
 #include "device/pair_stage.hpp"
@@ -62,6 +63,25 @@ TEST(EyeBlocks, AreSquaresOfOneMediumAndTheirGroupsAreNotNeighbours)
             for (std::size_t j = i / 16 * 16; j < i; ++j) EXPECT_NE(inside[i], inside[j] + 1) << "neighbours in one group";
         }
     }
+}
+
+TEST(EyeBlocks, LieInRegionsOfOneMediumAndDepth)
+{
+    std::vector<EyePlace> eyes = film(200, 150);
+    for (EyePlace& eye : eyes) eye.depth = eye.pixel % 200 / 90;
+    const EyeBlocks all = block_eyes(eyes, {.width = 200, .size = 4, .offset_x = 3, .offset_y = 2, .region = 16});
+    ASSERT_FALSE(all.regions.empty());
+    std::set<std::array<std::uint32_t, 4>> seen;
+    for (std::size_t r = 0; r < all.regions.size(); ++r) {
+        const std::size_t last = r + 1 < all.regions.size() ? all.regions[r + 1] : all.blocks.size();
+        std::set<std::array<std::uint32_t, 4>> here;
+        for (std::size_t b = all.regions[r]; b < last; ++b)
+            for (const std::uint32_t eye : eyes_of(all, all.blocks[b])) here.insert({(eye % 200 + 3) / 64, (eye / 200 + 2) / 64, eyes[eye].medium, eyes[eye].depth});
+        EXPECT_EQ(here.size(), 1u);
+        EXPECT_TRUE(seen.insert(*here.begin()).second) << "a region comes once";
+    }
+    EXPECT_EQ(all.regions.front(), 0u);
+    EXPECT_GT(seen.size(), 12u) << "4 x 3 squares of 64 pixels, some of two media or depths";
 }
 
 TEST(EyeBlocks, StandForTheirMiddle)
