@@ -7,7 +7,7 @@
 #include <string>
 
 #include "bench/measure.hpp"
-#include "bench/workload.hpp"
+#include "throughput/workload.hpp"
 #include "kernels/shared/host_features.hpp"
 
 namespace tyndall::bench {

@@ -2,18 +2,10 @@
 
 #include <sched.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include <string>
 
 namespace tyndall::bench {
-
-double processor_seconds()
-{
-    timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
 
 void use_workers(int threads) { setenv("POCL_MAX_PTHREAD_COUNT", std::to_string(threads).c_str(), 0); }
 

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <vector>
 
+#include "throughput/clocks.hpp"
+
 namespace tyndall::bench {
 
 /// Seconds that `work` takes by the clock on the wall.
@@ -14,9 +16,6 @@ double seconds_of(Work&& work)
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
-
-/// Seconds of processor time of all threads of this process so far.
-double processor_seconds();
 
 /// Seconds of processor time that `work` takes. With one working thread that is the time on the wall of a machine that has nothing else to
 /// do.

@@ -2,14 +2,14 @@
 /// what else runs on the machine disturbs little. No visibility.
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
 
 #include "bench/measure.hpp"
-#include "bench/naive_pairs.hpp"
-#include "bench/workload.hpp"
+#include "device/scalar_pairs.hpp"
+#include "throughput/measured_kernels.hpp"
+#include "throughput/workload.hpp"
 
 namespace tyndall::bench {
 namespace {
@@ -31,13 +31,17 @@ const Variant variants[] = {
 /// A workload on the device with the baseline that belongs to it.
 struct Prepared {
     Workload work;
-    NaivePairs naive;
-    std::vector<float> naive_sums;
+    ScalarPairs scalar;
+    std::vector<double> scalar_sums;
 
     explicit Prepared(const WorkloadWishes& wishes)
-        : work(make_workload(wishes)), naive(device(), work, features_of(wishes)), naive_sums(naive.sums())
+        : work(make_workload(wishes)), scalar(device(), {work.eyes, work.lights, work.light_count, work.tables.media, features_of(wishes)})
     {
+        run_scalar();
+        const std::vector<float> sums = scalar.sums();
+        scalar_sums.assign(sums.begin(), sums.end());
     }
+    void run_scalar() { scalar.run(static_cast<std::uint32_t>(work.eyes.size())); }
 };
 
 Prepared& prepared(const Variant& variant)
@@ -57,35 +61,19 @@ void begin(PairStage& stage, const Workload& work, EyeKind kind = EyeKind::segme
     stage.begin(work.eye_bytes(kind), static_cast<std::uint32_t>(work.eyes.size()), work.lights, 0xffffffffu);
 }
 
-struct Agreement {
-    double means = 0;  ///< ours / theirs
-    double eyes = 0;   ///< share of eyes whose sums agree within 1 %
-};
-
-/// Both draw the same numbers, so well-conditioned sums agree to rounding.
-Agreement agreement(const std::vector<double>& ours, const std::vector<float>& theirs)
-{
-    double sum = 0, their_sum = 0, close = 0;
-    for (std::size_t i = 0; i < ours.size(); ++i) {
-        sum += ours[i], their_sum += theirs[i];
-        close += std::abs(ours[i] - theirs[i]) <= .01 * ours[i];
-    }
-    return {sum / their_sum, close / static_cast<double>(ours.size())};
-}
-
 void pairs_per_second(benchmark::State& state, const Variant& variant, int lanes)
 {
     Prepared& p = prepared(variant);
     PairStage stage(device(), {.features = features_of(variant.wishes), .lanes = lanes}, p.work.tables);
     begin(stage, p.work);
-    const Agreement agree = agreement(gathered(stage, p.work), p.naive_sums);
-    if (!(std::abs(agree.means - 1) < .01) || agree.eyes < .99)
+    const double agreeing = agreeing_sums(gathered(stage, p.work), p.scalar_sums);
+    if (!(agreeing >= .99))
         return state.SkipWithError("the fused kernel and the baseline do not compute the same");
     const double pairs = static_cast<double>(p.work.pairs());
     for (auto _ : state) {
         std::vector<double> scalar, fused;
         for (int round = 0; round < 3; ++round) {
-            scalar.push_back(processor_seconds_of([&] { p.naive.sums(); }));
+            scalar.push_back(processor_seconds_of([&] { p.run_scalar(); }));
             for (int i = 0; i < 5; ++i) fused.push_back(processor_seconds_of([&] { gathered(stage, p.work); }));
         }
         const double ours = median(fused), theirs = median(scalar);
@@ -94,7 +82,7 @@ void pairs_per_second(benchmark::State& state, const Variant& variant, int lanes
         state.counters["scalar_pairs_per_second"] = pairs / theirs;
         state.counters["speedup_over_scalar"] = theirs / ours;
     }
-    state.counters["agreeing_sums"] = agree.eyes;
+    state.counters["agreeing_sums"] = agreeing;
 }
 
 struct Alone {

@@ -11,7 +11,7 @@
 #include "bench/bare_embree.hpp"
 #include "bench/measure.hpp"
 #include "bench/shadow_scene.hpp"
-#include "bench/workload.hpp"
+#include "throughput/workload.hpp"
 #include "kernels/shared/host_features.hpp"
 #include "tiling/connect_pairs.hpp"
 

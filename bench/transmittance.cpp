@@ -9,7 +9,7 @@
 #include <string>
 
 #include "bench/measure.hpp"
-#include "bench/workload.hpp"
+#include "throughput/workload.hpp"
 #include "device/device_state.hpp"
 #include "device/kernel_source.hpp"
 
@@ -25,7 +25,7 @@ Device& device()
     return opened;
 }
 
-/// The smooth grid of bench/workload.hpp, and segments between points that are drawn in proportion to its density.
+/// The smooth grid of throughput/workload.hpp, and segments between points that are drawn in proportion to its density.
 struct GridSegments {
     MediaTables tables;
     std::vector<float> coordinates;  ///< six rows of segment_count

@@ -27,6 +27,7 @@ struct Request {
     InfoCommand info;
     DevicesCommand devices;
     SelftestCommand selftest;
+    BenchCommand bench;
 };
 
 constexpr const char* examples = R"(Examples:
@@ -38,6 +39,7 @@ constexpr const char* examples = R"(Examples:
   tyndall compare scene.xml --times 1,6 -o page  methods at equal time, as a page to look at
   tyndall info scene.xml                         what the file says
   tyndall devices                                where it can run
+  tyndall bench                                  how fast that is
   tyndall selftest                               whether the device computes as it must
 )";
 
@@ -82,6 +84,7 @@ void declare(CLI::App& app, Request& request)
     info->add_flag("--json", request.info.json, "as JSON");
     add_load_options(*info, request.info.load);
     add_selftest_options(*app.add_subcommand("selftest", "Runs the hard cases on host and device; exit code 8 if one is outside its bounds"), request.selftest);
+    add_bench_options(*app.add_subcommand("bench", "Measures how many pairs per second a device evaluates, at every lane width"), request.bench);
     add_devices_options(*app.add_subcommand("devices", "Lists the OpenCL devices"), request.devices);
 }
 
@@ -145,6 +148,7 @@ int run(int argc, char** argv)
     }
     if (app.got_subcommand("info")) return run_info(request.info);
     if (app.got_subcommand("selftest")) return run_selftest(request.selftest);
+    if (app.got_subcommand("bench")) return run_bench(request.bench);
     return run_devices(request.devices);
 }
 

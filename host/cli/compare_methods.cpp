@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "cli/calibrated_lanes.hpp"
 #include "cli/compare_command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
@@ -112,6 +113,7 @@ double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_
 int compare_methods(CompareCommand& command)
 {
     complete(command);
+    if (const auto warning = take_calibrated_lanes(command.settings); !warning.empty()) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
     const auto candidates = candidates_of(command.settings, command.methods, command.dials);
     Scene scene = load_scene(command.inputs.front(), command.load);
     for (const auto& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));

@@ -70,8 +70,8 @@ void add_dials(CLI::App& app, CompareCommand& command)
     add_list(app, "--lanes", "NUMBERS", "pixels per work-item: 1, 4, 8, 16 (by device)", [&](const Texts& texts) {
         Dial dial;
         for (const std::string& text : texts) {
-            const int lanes = std::array{1, 4, 8, 16}[parse_choice("--lanes", text, {"1", "4", "8", "16"})];
-            dial.values.push_back({text + " lanes", [lanes](RenderSettings& s) { s.lanes = lanes; }});
+            const int lanes = parse_lanes("--lanes", text);
+            dial.values.push_back({text + " lanes", [lanes](RenderSettings& s) { s.lanes = lanes, s.lanes_calibrated = false; }});
         }
         command.dials.push_back(dial);
     });

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "cli/calibrated_lanes.hpp"
 #include "cli/exit_code.hpp"
 #include "device/device_list.hpp"
 #include "pipeline/explain.hpp"
 #include "tyndall/error.hpp"
+#include "tyndall/setting_names.hpp"
 
 namespace tyndall {
 namespace {
@@ -33,8 +35,11 @@ int run_explain(ExplainCommand command)
     override_film(scene.camera, command.render.resolution, command.render.crop);
     std::string why_not;
     const auto device = device_for(settings, why_not);
+    if (const std::string warning = take_calibrated_lanes(settings); !warning.empty()) scene.warnings.push_back(warning);
+    const std::string_view from = lanes_from(settings);
     if (device && settings.lanes == 0) settings.lanes = device->default_lanes;
     Explanation explanation = explain(scene, settings);
+    explanation.lanes_from = from;
     const bool ready = explanation.kernels.empty() || device;
     if (!explanation.kernels.empty() && device) explanation.device = device->platform + ": " + device->name;
     if (!ready) explanation.why_no_calibration = why_not;

@@ -6,12 +6,15 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "cli/bench_command.hpp"
+#include "cli/calibrated_lanes.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/scene_json.hpp"
 #include "device/device_list.hpp"
 #include "device/prebuild.hpp"
 #include "report/readable.hpp"
 #include "scene/describe.hpp"
+#include "throughput/lane_store.hpp"
 
 namespace tyndall {
 namespace {
@@ -20,6 +23,7 @@ using Json = nlohmann::ordered_json;
 
 Json json_of(const DeviceInfo& device)
 {
+    const int calibrated = stored_lanes(device).lanes;
     return {{"index", device.index},
             {"platform", device.platform},
             {"name", device.name},
@@ -35,17 +39,20 @@ Json json_of(const DeviceInfo& device)
             {"max_allocation", device.max_allocation},
             {"fp64", device.fp64},
             {"native_kernels", device.native_kernels},
-            {"default_lanes", device.default_lanes}};
+            {"default_lanes", device.default_lanes},
+            {"calibrated_lanes", calibrated ? Json(calibrated) : Json(nullptr)}};
 }
 
 void print_device(const DeviceInfo& device)
 {
     constexpr double gib = 1024. * 1024 * 1024;
+    const StoredLanes stored = stored_lanes(device);
     fmt::print("{:>3}  {}: {}\n", device.index, terminal_safe(device.platform), terminal_safe(device.name));
     fmt::print("     {}, driver {}, {}\n", terminal_safe(device.vendor), terminal_safe(device.driver), terminal_safe(device.version));
-    fmt::print("     {} compute units, {:.1f} GiB, at most {:.1f} GiB at once, {} lanes, double {}\n", device.compute_units,
-               static_cast<double>(device.global_memory) / gib, static_cast<double>(device.max_allocation) / gib, device.default_lanes,
+    fmt::print("     {} compute units, {:.1f} GiB, at most {:.1f} GiB at once, {}, double {}\n", device.compute_units,
+               static_cast<double>(device.global_memory) / gib, static_cast<double>(device.max_allocation) / gib, stored.lanes ? readable_lanes(stored.lanes, "calibration") : readable_lanes(device.default_lanes, "rule"),
                device.fp64 ? "yes" : "no");
+    if (!stored.warning.empty()) fmt::print(stderr, "warning: {}\n", terminal_safe(stored.warning));
     if (!device.usable) fmt::print("     not usable: {}\n", terminal_safe(device.why_not));
 }
 
@@ -56,7 +63,7 @@ int prebuild_everyday(const std::string& request)
     Device device(request);
     const auto start = Clock::now();
     double slowest = 0;
-    for (const PairProgram& program : everyday_programs(device.info().default_lanes)) {
+    for (const PairProgram& program : everyday_programs(kept_lanes(device.info()))) {
         const auto one = Clock::now();
         prebuild(device, program);
         slowest = std::max(slowest, seconds_since(one));
@@ -78,6 +85,7 @@ int run_info(const InfoCommand& command)
 
 int run_devices(const DevicesCommand& command)
 {
+    if (command.calibrate) return run_calibrate(command.device);
     if (command.prebuild) return prebuild_everyday(command.device);
     const auto devices = list_devices();
     Json list = Json::array();

@@ -19,11 +19,13 @@ int run_info(const InfoCommand& command);
 struct DevicesCommand {
     bool json = false;
     bool prebuild = false;  ///< build the kernels of everyday scenes on `device`
+    bool calibrate = false; ///< measure lane widths on `device` and keep the best
     std::string device;
 };
 
 /// Prints every OpenCL device to standard output. Throws NoDeviceError if none is usable. With `prebuild` it builds kernels instead, so that the driver's cache
 /// has them, and says how many and how long it took. Throws BuildError.
+/// With `calibrate` it measures lane widths (cli/bench_command.hpp).
 int run_devices(const DevicesCommand& command);
 
 }  // namespace tyndall

@@ -143,4 +143,6 @@ std::pair<std::string, std::string> parse_definition(std::string_view option, co
     return {text.substr(0, equals), text.substr(equals + 1)};
 }
 
+int parse_lanes(std::string_view option, const std::string& text) { return std::array{1, 4, 8, 16}[parse_choice(option, text, {"1", "4", "8", "16"})]; }
+
 }  // namespace tyndall

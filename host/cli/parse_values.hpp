@@ -38,6 +38,9 @@ std::optional<std::uint32_t> parse_features(std::string_view option, const std::
 /// Index of `text` in `names`.
 std::size_t parse_choice(std::string_view option, const std::string& text, const std::vector<std::string>& names);
 
+/// A lane width: 1, 4, 8 or 16.
+int parse_lanes(std::string_view option, const std::string& text);
+
 /// The value of that name in one of the tables of tyndall/setting_names.hpp.
 template <class Value, std::size_t count>
 Value parse_named(std::string_view option, const std::string& text, const std::array<Named<Value>, count>& table)

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cli/calibrated_lanes.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
@@ -91,6 +92,7 @@ int run_render(RenderCommand command)
     give_default_budget(command.settings);
     const auto paths = plan_outputs(command.scene, command.output, command.report);
     Scene scene = load_scene(command.scene, command.load);
+    if (const auto warning = take_calibrated_lanes(command.settings); !warning.empty()) scene.warnings.push_back(warning);
     print_warnings(scene.warnings);
     override_film(scene.camera, command.resolution, command.crop);
     check_outputs(paths);

@@ -1,5 +1,6 @@
 #include "cli/render_options.hpp"
 
+#include <algorithm>
 #include <array>
 #include <CLI/CLI.hpp>
 #include <cstdlib>
@@ -110,7 +111,7 @@ void add_machine(CLI::App& app, RenderSettings& settings)
         settings.device = text;
     })->envname("TYNDALL_DEVICE");
     add(app, "--lanes", "N", "pixels per work-item: 1, 4, 8 or 16 (by device); part of the result", [&](const auto& text) {
-        settings.lanes = std::array{1, 4, 8, 16}[parse_choice("--lanes", text, {"1", "4", "8", "16"})];
+        settings.lanes = parse_lanes("--lanes", text);
     })->envname("TYNDALL_LANES");
     add(app, "--threads", "N", "host threads (all cores)", [&](const auto& text) {
         settings.threads = integer("--threads", text, 1, 1024);
@@ -154,8 +155,30 @@ void add_load_options(CLI::App& app, LoadOptions& options)
 void add_devices_options(CLI::App& app, DevicesCommand& command)
 {
     auto* json = app.add_flag("--json", command.json, "as JSON");
-    app.add_flag("--prebuild", command.prebuild, "build the kernels of everyday scenes, so that the driver's cache has them")->excludes(json);
-    add(app, "-d,--device", "DEVICE", "the one that --prebuild builds for (as for render)", [&](const auto& text) { command.device = text; })->envname("TYNDALL_DEVICE");
+    auto* prebuild = app.add_flag("--prebuild", command.prebuild, "build the kernels of everyday scenes, so that the driver's cache has them")->excludes(json);
+    app.add_flag("--calibrate", command.calibrate, "measure lane widths and keep the fastest for later renders; lanes are part of the result")->excludes(json)->excludes(prebuild);
+    add(app, "-d,--device", "DEVICE", "the one that --prebuild and --calibrate are about (as for render)", [&](const auto& text) { command.device = text; })->envname("TYNDALL_DEVICE");
+}
+
+void add_bench_options(CLI::App& app, BenchCommand& command)
+{
+    add(app, "-d,--device", "DEVICE", "the one to measure (as for render)", [&](const auto& text) { command.request.device = text; })->envname("TYNDALL_DEVICE");
+    app.add_option_function<std::vector<std::string>>(
+           "--lanes",
+           [&](const std::vector<std::string>& texts) {
+               command.request.lanes.clear();
+               for (const auto& text : texts) command.request.lanes.push_back(parse_lanes("--lanes", text));
+               std::ranges::sort(command.request.lanes);
+               command.request.lanes.erase(std::unique(command.request.lanes.begin(), command.request.lanes.end()), command.request.lanes.end());
+           },
+           "lane widths to measure, comma-separated (1,4,8,16)")
+        ->type_name("NUMBERS")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    add(app, "--cores", "WHICH", "one: processor time on one core; all: time on the wall with the whole device (one)",
+        [&](const auto& text) { command.request.cores = parse_choice("--cores", text, {"one", "all"}) == 0 ? Cores::one : Cores::all; });
+    add(app, "-t,--time", "TIME", "about so long may be spent on measuring, after the kernels were built (10 s)", [&](const auto& text) { command.request.seconds = parse_duration("--time", text); });
+    app.add_flag("--json", command.json, "as JSON");
 }
 
 void add_selftest_options(CLI::App& app, SelftestCommand& command)
@@ -164,7 +187,7 @@ void add_selftest_options(CLI::App& app, SelftestCommand& command)
     app.add_option("--only", command.request.only, "only cases with this in their name, for example row04; repeatable (all)")->type_name("CASE")->allow_extra_args(false);
     auto* all = app.add_flag("--all-lanes", command.all_lanes, "at 1, 4, 8 and 16 lanes (those that a render would use)");
     add(app, "--lanes", "N", "at 1, 4, 8 or 16 lanes (by device)", [&](const auto& text) {
-        command.request.lanes = {std::array{1, 4, 8, 16}[parse_choice("--lanes", text, {"1", "4", "8", "16"})]};
+        command.request.lanes = {parse_lanes("--lanes", text)};
     })->envname("TYNDALL_LANES")->excludes(all);
     auto* json = app.add_flag("--json", command.json, "as JSON");
     app.add_flag("--junit", command.junit, "as JUnit's XML")->excludes(json);

@@ -1,4 +1,5 @@
 #pragma once
+#include "cli/bench_command.hpp"
 #include "cli/explain_command.hpp"
 #include "cli/list_commands.hpp"
 #include "cli/render_command.hpp"
@@ -19,6 +20,9 @@ void add_explain_options(CLI::App& app, ExplainCommand& command);
 
 /// Declares the options of `tyndall devices`.
 void add_devices_options(CLI::App& app, DevicesCommand& command);
+
+/// Declares the options of `tyndall bench`.
+void add_bench_options(CLI::App& app, BenchCommand& command);
 
 /// Declares the options of `tyndall selftest`.
 void add_selftest_options(CLI::App& app, SelftestCommand& command);

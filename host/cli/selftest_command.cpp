@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "cli/calibrated_lanes.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/version.hpp"
+#include "device/device_list.hpp"
 #include "report/readable.hpp"
 #include "selftest/bundle.hpp"
 #include "selftest/selftest_output.hpp"
@@ -30,6 +32,7 @@ int run_selftest(const SelftestCommand& command)
     if (!command.bundle.empty()) check_bundle_folder(command.bundle);
     SelftestRequest request = command.request;
     if (command.all_lanes) request.lanes = {1, 4, 8, 16};
+    else if (request.lanes.empty()) request.lanes = {kept_lanes(choose_device(request.device))};
     const SelftestResult result = run_selftest(request);
     fmt::print("{}", command.json ? to_json(result, version()) : command.junit ? to_junit(result) : to_table(result));
     if (!command.bundle.empty()) finish_bundle(command, result);

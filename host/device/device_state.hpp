@@ -1,5 +1,5 @@
 #pragma once
-/// The OpenCL side of Device and the helpers that stages share; only files below host/device include this, and the baseline kernel of bench/pairs.
+/// The OpenCL side of Device and the helpers that stages share; only files below host/device include this, and bench/transmittance.
 #include <future>
 #include <map>
 #include <mutex>

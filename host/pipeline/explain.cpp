@@ -60,6 +60,7 @@ Explanation explain(const Scene& scene, const RenderSettings& settings)
     Explanation e{.scene = scene.file, .method = std::string(name(settings.method))};
     e.width = scene.camera.crop_width, e.height = scene.camera.crop_height, e.passes = settings.passes, e.seconds = settings.seconds;
     e.lanes = plan.virtual_lights() ? settings.lanes ? settings.lanes : 16 : 0, e.lights = plan.virtual_lights() ? lights : 0;
+    e.lanes_from = lanes_from(settings);
     e.effects = effect_reports(features), e.layers = plan.reports;
     if (plan.media_to_media) add_kernels("media_to_media", pair_program(plan, settings, EyeKind::segments, masks, e.lanes), e.kernels);
     if (plan.media_to_surface) add_kernels("media_to_surface", pair_program(plan, settings, EyeKind::points, masks, e.lanes), e.kernels);

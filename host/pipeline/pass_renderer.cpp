@@ -13,6 +13,7 @@
 #include "selftest/first_use.hpp"
 #include "transport/random_sequence.hpp"
 #include "tyndall/error.hpp"
+#include "tyndall/setting_names.hpp"
 
 namespace tyndall {
 namespace {
@@ -150,7 +151,7 @@ void PassRenderer::fill(Report& report) const
         const PairTimings timings = connector->stage().timings();
         const PairLedger ledger = connector->stage().ledger();
         const char* layer = connector == to_segments_.get() ? "media_to_media" : "media_to_surface";
-        report.lanes = connector->settings().lanes, report.launches += timings.launches;
+        report.lanes = connector->settings().lanes, report.lanes_from = lanes_from(settings_), report.launches += timings.launches;
         report.largest_launch_seconds = std::max(report.largest_launch_seconds, timings.largest_launch);
         report.build_options += (report.build_options.empty() ? "" : "; ") + std::string(layer) + ": " + connector->stage().options();
         report.ledger.not_finite_pairs += ledger.not_finite, report.ledger.floored_pairs += ledger.floored;

@@ -34,6 +34,7 @@ struct Calibration {
 struct Explanation {
     std::string scene, method, device;  ///< device: empty if none is needed or none was found
     int width = 0, height = 0, passes = 0, lanes = 0;
+    std::string lanes_from;             ///< "rule", "calibration" (`tyndall devices --calibrate`) or "request"
     double seconds = 0;                 ///< time budget, 0: none
     std::uint32_t lights = 0;           ///< virtual lights per pass, aimed at; 0: no virtual lights
     std::vector<EffectReport> effects;

@@ -73,7 +73,7 @@ std::string to_json(const Explanation& e)
     json["scene"] = e.scene;
     json["method"] = e.method;
     json["device"] = e.device.empty() ? Json(nullptr) : Json(e.device);
-    json["lanes"] = e.lanes;
+    json["lanes"] = e.lanes, json["lanes_from"] = e.lanes_from;
     json["width"] = e.width, json["height"] = e.height;
     json["passes"] = e.passes ? Json(e.passes) : Json(nullptr);
     json["seconds"] = e.seconds > 0 ? Json(e.seconds) : Json(nullptr);

@@ -26,7 +26,7 @@ std::string bytes_words(std::uint64_t bytes)
 void add_head(Text& text, const Explanation& e)
 {
     add(text, "{}: {} x {} pixels, method {}", terminal_safe(e.scene), e.width, e.height, e.method);
-    if (e.lights) add(text, "about {} virtual lights a pass, on {}", e.lights, e.device.empty() ? "no device" : terminal_safe(e.device) + fmt::format(", {} lanes", e.lanes));
+    if (e.lights) add(text, "about {} virtual lights a pass, on {}", e.lights, e.device.empty() ? "no device" : terminal_safe(e.device) + ", " + readable_lanes(e.lanes, e.lanes_from));
 }
 
 void add_effects(Text& text, const Explanation& e)

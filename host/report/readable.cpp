@@ -40,6 +40,8 @@ std::string readable_percent(double fraction)
     return std::isfinite(fraction) && fraction >= 0 ? three_digits(100 * fraction) + " %" : "unknown";
 }
 
+std::string readable_lanes(int lanes, const std::string& from) { return std::to_string(lanes) + (lanes == 1 ? " lane by " : " lanes by ") + from; }
+
 std::string terminal_safe(const std::string& text)
 {
     std::string clean;

@@ -14,6 +14,9 @@ std::string readable_seconds(double seconds);
 /// "1.24 %"; "unknown" for negative or non-finite fractions.
 std::string readable_percent(double fraction);
 
+/// "16 lanes by rule", "8 lanes by calibration", "4 lanes by request".
+std::string readable_lanes(int lanes, const std::string& from);
+
 /// Text from a file or a driver, fit for a terminal: control characters (escape codes among them) become \xNN; UTF-8 stays.
 std::string terminal_safe(const std::string& text);
 

@@ -112,7 +112,7 @@ Json numerics_of(const NumericsLedger& ledger)
 Json device_of(const Report& report)
 {
     if (report.device.empty()) return nullptr;
-    return {{"name", report.device}, {"driver", report.driver}, {"build_options", report.build_options}, {"lanes", report.lanes}};
+    return {{"name", report.device}, {"driver", report.driver}, {"build_options", report.build_options}, {"lanes", report.lanes}, {"lanes_from", report.lanes_from}};
 }
 
 /// Seconds of the whole render at which the error would be 1 % and .1 %: variance falls with one over the passes.

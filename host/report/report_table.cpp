@@ -26,7 +26,7 @@ void add_head(Text& table, const Report& report)
     line(table, "scene", "{}", terminal_safe(report.scene));
     line(table, "image", "{} x {}, {} passes, seed {}, method {}", report.width, report.height, report.passes, report.seed, report.method);
     if (!report.device.empty())
-        line(table, "device", "{}, {} lanes ({})", terminal_safe(report.device), report.lanes, terminal_safe(report.driver));
+        line(table, "device", "{}, {} ({})", terminal_safe(report.device), readable_lanes(report.lanes, report.lanes_from), terminal_safe(report.driver));
     if (report.selftest && report.selftest->outcome != "passed before") line(table, "selftest", "{}", report.selftest->outcome);
     line(table, "time", "{} on {} threads, {} per pass, stopped by {}", readable_seconds(report.seconds), report.threads,
          readable_seconds(report.pass_seconds), report.stopped_by);

@@ -40,6 +40,7 @@ constexpr Row rows[] = {
     {"kernels/lights/", 4},
     {"kernels/stages/", 5},
     {"kernels/selftest/", 5},
+    {"kernels/baseline/", 5},
     {"kernels/dialect_host.hpp", 5},      // all of the mathematics as C++
     {"kernels/embedded_kernels.hpp", 5},  // all of the kernels as text
     {"host/include/", 6},
@@ -58,6 +59,7 @@ constexpr Row rows[] = {
     {"host/path_tracing/", 10},
     {"host/photon_map/", 10},
     {"host/selftest/", 10},
+    {"host/throughput/", 10},
     {"host/pipeline/", 11},
     {"host/comparison/", 12},
     {"host/cli/", 13},

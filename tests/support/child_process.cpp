@@ -24,10 +24,11 @@ void redirect(const char* file, int flags, int descriptor)
 }
 
 /// In the child: everything that precedes exec.
-void prepare(const ProcessSetup& setup, const std::string& out, const std::string& err)
+void prepare(const ProcessSetup& setup, const std::string& own, const std::string& out, const std::string& err)
 {
     for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ, SIGPIPE}) ::signal(number, SIG_DFL);  // a test runner may ignore some
     if (!setup.folder.empty() && ::chdir(setup.folder.c_str()) != 0) ::_exit(127);
+    ::setenv("XDG_CONFIG_HOME", own.c_str(), 1);  // the user's calibrations are nothing to a test
     for (const auto& [name, value] : setup.environment) ::setenv(name.c_str(), value.c_str(), 1);
     redirect("/dev/null", O_RDONLY, STDIN_FILENO);
     redirect(setup.standard_output ? setup.standard_output->c_str() : out.c_str(), O_WRONLY | O_CREAT, STDOUT_FILENO);
@@ -49,7 +50,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const Proc
     process_ = ::fork();
     if (process_ < 0) throw std::runtime_error("fork failed");
     if (process_ > 0) return;
-    prepare(setup, out, err);
+    prepare(setup, captured_.path().string(), out, err);
     ::execv(pointers[0], pointers.data());
     ::_exit(127);
 }

@@ -35,6 +35,9 @@ constexpr std::string_view name_in(const std::array<Named<Value>, count>& names,
     return {};
 }
 
+/// Where the lane width comes from: "rule", "calibration" or "request".
+constexpr std::string_view lanes_from(const RenderSettings& settings) { return settings.lanes == 0 ? "rule" : settings.lanes_calibrated ? "calibration" : "request"; }
+
 constexpr std::string_view name(Method method) { return name_in(method_names, method); }
 
 }  // namespace tyndall

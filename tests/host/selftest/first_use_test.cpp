@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "planted_kernel.hpp"
+#include "support/environment_variable.hpp"
 #include "support/temporary_folder.hpp"
 #include "tyndall/error.hpp"
 
@@ -17,21 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-
-/// A variable of the environment as it was before, at the end.
-class Variable {
-public:
-    Variable(const char* name, const char* value) : name_(name)
-    {
-        if (const char* old = std::getenv(name)) old_ = old;
-        value ? ::setenv(name, value, 1) : ::unsetenv(name);
-    }
-    ~Variable() { old_ ? ::setenv(name_, old_->c_str(), 1) : ::unsetenv(name_); }
-
-private:
-    const char* name_;
-    std::optional<std::string> old_;
-};
 
 class FirstUseOfADevice : public testing::Test {
 protected:
@@ -42,7 +28,7 @@ protected:
         return files;
     }
     TemporaryFolder folder;
-    Variable cache{"XDG_CACHE_HOME", folder.path().c_str()};
+    EnvironmentVariable cache{"XDG_CACHE_HOME", folder.path().c_str()};
     FirstUse use{.device = choose_device(""), .lanes = 8, .families = 1};  // compiled in half a second, all of them in two
 };
 
@@ -122,7 +108,7 @@ TEST_F(FirstUseOfADevice, WithoutAUsableCacheItRunsEveryTimeAndSaysSo)
     fs::create_directories(folder / "open/tyndall");
     fs::permissions(folder / "open/tyndall", fs::perms::all);
     for (const char* name : {"file", "open"}) {
-        const Variable elsewhere("XDG_CACHE_HOME", (folder / name).c_str());
+        const EnvironmentVariable elsewhere("XDG_CACHE_HOME", (folder / name).c_str());
         for (int i = 0; i < 2; ++i) {
             const SelftestReport report = check_on_first_use(use);
             EXPECT_EQ(report.outcome, "passed");
@@ -136,9 +122,9 @@ TEST_F(FirstUseOfADevice, WithoutAUsableCacheItRunsEveryTimeAndSaysSo)
 TEST_F(FirstUseOfADevice, CacheFolderIsThatOfTheDesktopOrTheHomeFolders)
 {
     EXPECT_EQ(cache_folder(), folder / "tyndall");
-    const Variable relative("XDG_CACHE_HOME", "not/absolute"), home("HOME", "/home/somebody");
+    const EnvironmentVariable relative("XDG_CACHE_HOME", "not/absolute"), home("HOME", "/home/somebody");
     EXPECT_EQ(cache_folder(), "/home/somebody/.cache/tyndall");
-    const Variable none("HOME", nullptr);
+    const EnvironmentVariable none("HOME", nullptr);
     EXPECT_EQ(cache_folder(), "");
     EXPECT_THAT(check_on_first_use(use).warning, HasSubstr("HOME"));
 }

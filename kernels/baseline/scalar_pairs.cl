@@ -1,4 +1,4 @@
-// The baseline of bench/pairs: virtual ray lights as a competent reader of the paper would write them down. One pixel per work-item, a loop over the
+// The baseline that throughput is set beside (`tyndall bench`, bench/pairs): virtual ray lights as a competent reader of the paper would write them down. One pixel per work-item, a loop over the
 // lights, scalar floats, the library's functions, the talk's formulas: closest points of the two lines, h, asinh(v sin(theta) / h) and sinh for the marginal
 // [Novak et al. 2012], the angle by atan and tan for the conditional [Kulla and Fajardo 2012], the densities spelt out. Records and random numbers are
 // those of kernels/, so that both kernels compute the same sums; none of its mathematics is used.
@@ -42,7 +42,7 @@ float phase(float cosine, float g)
     return (1.0f - g * g) / (4.0f * M_PI_F * k * sqrt(k));
 }
 
-__kernel void naive_pairs(__global const Eye* eyes, __global const RayLight* lights, uint light_count, __global const Medium* media, __global float* sums)
+__kernel void scalar_pairs(__global const Eye* eyes, __global const RayLight* lights, uint light_count, __global const Medium* media, __global float* sums)
 {
     uint pixel = get_global_id(0);
     Eye eye = eyes[pixel];

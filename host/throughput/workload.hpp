@@ -1,5 +1,5 @@
 #pragma once
-/// The pairs that every kernel benchmark works on: seeded, documented, the same for all.
+/// The pairs that `tyndall bench` and every kernel benchmark work on: seeded, documented, the same for all.
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -7,7 +7,7 @@
 
 #include "device/pair_stage.hpp"
 
-namespace tyndall::bench {
+namespace tyndall {
 
 struct WorkloadWishes {
     std::uint32_t eyes = 2048, lights = 1024;
@@ -47,4 +47,4 @@ Workload make_workload(const WorkloadWishes& wishes);
 /// Mask of kernels/shared/scene_features.h that the workload calls for.
 std::uint32_t features_of(const WorkloadWishes& wishes);
 
-}  // namespace tyndall::bench
+}  // namespace tyndall

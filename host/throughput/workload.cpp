@@ -1,4 +1,4 @@
-#include "bench/workload.hpp"
+#include "throughput/workload.hpp"
 
 #include <glm/glm.hpp>
 
@@ -17,7 +17,7 @@ namespace tyndall::maths_float {
 #include "kernels/lights/virtual_ray_light.h"
 }
 
-namespace tyndall::bench {
+namespace tyndall {
 namespace {
 
 glm::vec3 random_point(std::mt19937& engine)
@@ -128,4 +128,4 @@ std::uint32_t features_of(const WorkloadWishes& wishes)
     return (wishes.grid ? feature_bit::heterogeneous : 0u) | (wishes.g != 0 ? feature_bit::anisotropic : 0u) | (wishes.coloured ? feature_bit::coloured : 0u);
 }
 
-}  // namespace tyndall::bench
+}  // namespace tyndall
