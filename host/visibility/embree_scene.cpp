@@ -132,28 +132,30 @@ void quadric_bounds(const RTCBoundsFunctionArguments* arguments)
     out.upper_x = static_cast<float>(high.x), out.upper_y = static_cast<float>(high.y), out.upper_z = static_cast<float>(high.z);
 }
 
-void fill_triangles(RTCGeometry geometry, const Mesh& mesh)
+void fill_triangles(RTCGeometry geometry, const Mesh& mesh, std::span<const glm::uvec3> chosen)
 {
     auto* vertices = static_cast<float*>(
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
     auto* triangles = static_cast<unsigned*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), mesh.triangles.size()));
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), chosen.size()));
     if (!vertices || !triangles)
-        throw Error("visibility: not enough memory for a mesh of " + std::to_string(mesh.triangles.size()) +
+        throw Error("visibility: not enough memory for a mesh of " + std::to_string(chosen.size()) +
                     " triangles; use a coarser mesh");
     for (const Vec3& p : mesh.vertices)
         for (int axis = 0; axis < 3; ++axis) *vertices++ = static_cast<float>(p[axis]);
-    for (const glm::uvec3& t : mesh.triangles)
+    for (const glm::uvec3& t : chosen)
         for (int corner = 0; corner < 3; ++corner) *triangles++ = t[corner];
 }
 
-void attach(const Visibility::State& state, RTCScene scene, unsigned index)
+/// `chosen`: the triangles of a mesh.
+void attach(const Visibility::State& state, RTCScene scene, unsigned index, std::span<const glm::uvec3> chosen)
 {
     const TracedShape& traced = state.shapes[index];
     const bool mesh = traced.shape->type == Shape::Type::mesh;
+    if (mesh && chosen.empty()) return;
     RTCGeometry geometry = rtcNewGeometry(state.device.get(), mesh ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_USER);
     if (mesh) {
-        fill_triangles(geometry, traced.shape->mesh);
+        fill_triangles(geometry, traced.shape->mesh, chosen);
     } else {
         rtcSetGeometryUserPrimitiveCount(geometry, 1);
         rtcSetGeometryUserData(geometry, const_cast<TracedShape*>(&traced));
@@ -187,13 +189,27 @@ Visibility::State::State(const Scene& traced_scene, int threads)
         shapes.push_back(
             {.shape = &shape, .null = scene.bsdfs[shape.bsdf].type == Bsdf::Type::null, .to_local = glm::inverse(shape.to_world)});
     for (unsigned i = 0; i < shapes.size(); ++i) {
-        attach(*this, shapes[i].null ? null.get() : solid.get(), i);
+        attach(*this, shapes[i].null ? null.get() : solid.get(), i, shapes[i].shape->mesh.triangles);
         (shapes[i].null ? has_nulls : has_solids) = true;
         has_null_boundaries |= shapes[i].null && shapes[i].shape->medium_boundary;
     }
     rtcCommitScene(solid.get()), rtcCommitScene(null.get());
+    leave_out_walls();
     if (rtcGetDeviceError(device.get()) != RTC_ERROR_NONE)
         throw Error("visibility: Embree could not build the scene; is there enough memory?");
+}
+
+void Visibility::State::leave_out_walls()
+{
+    std::vector<const Shape*> solids;
+    for (const TracedShape& s : shapes)
+        if (!s.null) solids.push_back(s.shape);
+    walls = OuterWalls(solids);
+    if (walls.empty()) return;
+    between.reset(new_scene(device.get()));
+    for (unsigned i = 0; i < shapes.size(); ++i)
+        if (!shapes[i].null) attach(*this, between.get(), i, walls.others(shapes[i].shape->mesh));
+    rtcCommitScene(between.get());
 }
 
 ExactQuery::ExactQuery(const Visibility::State& s, const Ray& r) : state(&s), ray(r), limit(r.t_max)

@@ -10,6 +10,7 @@
 #include <tbb/task_arena.h>
 
 #include "visibility/boundary_order.hpp"
+#include "visibility/outer_walls.hpp"
 #include "visibility/visibility.hpp"
 
 namespace tyndall {
@@ -36,10 +37,15 @@ struct Visibility::State {
     const Scene& scene;
     DevicePointer device;
     ScenePointer solid, null;  ///< geometry IDs are shape indices in both
+    OuterWalls walls;
+    ScenePointer between;      ///< of `solid` what may stand between two points inside all `walls`; none without walls
     bool has_null_boundaries = false, has_solids = false, has_nulls = false;
     std::vector<TracedShape> shapes;
     mutable tbb::task_arena arena;
     mutable std::atomic<std::uint64_t> runaway_walks = 0, invalid_rays = 0;
+
+private:
+    void leave_out_walls();
 };
 
 /// A ray followed in double. Must begin with Embree's context, through which the callbacks find it.

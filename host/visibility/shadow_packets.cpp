@@ -80,7 +80,8 @@ void answer_all(const Visibility::State& state, std::span<ShadowPacket> packets)
             state.invalid_rays.fetch_add(invalid, std::memory_order_relaxed);
             block_invalid_lanes(packet, valid);
         }
-        answer(state.solid.get(), context, valid, packet);
+        const bool inside = state.between && state.walls.hold(packet, valid);
+        answer(inside ? state.between.get() : state.solid.get(), context, valid, packet);
     }
 }
 
