@@ -60,6 +60,7 @@ void add_dials(CLI::App& app, CompareCommand& command)
     });
     add_named_dial(app, command, "--samplers", "of connections", sampler_names, &RenderSettings::sampler);
     add_named_dial(app, command, "--sequences", "numbers of the samples", sequence_names, &RenderSettings::sequence);
+    add_named_dial(app, command, "--emissions", "numbers of the light paths", sequence_names, &RenderSettings::emission);
     add_named_dial(app, command, "--transmittances", "through density grids", transmittance_names, &RenderSettings::transmittance);
     add_named_dial(app, command, "--lengths", "of virtual ray lights", segment_length_names, &RenderSettings::segment_length);
     add_number_dial(app, command, "--lights", "virtual lights per pass (as `render` chooses for the longest time)", 1 << 24, "lights", &RenderSettings::lights);

@@ -17,6 +17,7 @@ std::string virtual_light_options(const RenderSettings& s)
     std::string line;
     if (s.sampler != Sampler::automatic) line += fmt::format(" --sampler {}", name_in(sampler_names, s.sampler));
     if (s.sequence != Sequence::automatic) line += fmt::format(" --sequence {}", name_in(sequence_names, s.sequence));
+    if (s.emission != Sequence::automatic) line += fmt::format(" --emission {}", name_in(sequence_names, s.emission));
     if (s.transmittance != GridTransmittance::march) line += fmt::format(" --transmittance {}", name_in(transmittance_names, s.transmittance));
     if (s.segment_length == SegmentLength::short_) line += " --short";
     if (s.lights) line += fmt::format(" --lights {}", s.lights);

@@ -57,6 +57,9 @@ void add_transport(CLI::App& app, RenderSettings& settings, LayerSet& layers)
     add(app, "--sampler", "NAME", "of connections: auto, paper-isotropic, paper, paper-6, table, table-4x4 or table-3x2 (by how media scatter)", [&](const auto& text) {
         settings.sampler = parse_named("--sampler", text, sampler_names);
     });
+    add(app, "--emission", "NAME", "numbers of the light paths: auto, random or sobol (sobol)", [&](const auto& text) {
+        settings.emission = parse_named("--emission", text, sequence_names);
+    });
     add(app, "--sequence", "NAME", "numbers of the samples: auto, random or sobol", [&](const auto& text) {
         settings.sequence = parse_named("--sequence", text, sequence_names);
     });

@@ -10,7 +10,7 @@
 #include "transport/lit_stretch.hpp"
 #include "transport/medium.hpp"
 #include "transport/phase_function.hpp"
-#include "transport/random_sequence.hpp"
+#include "transport/sobol.hpp"
 
 namespace tyndall {
 namespace {
@@ -24,7 +24,7 @@ constexpr double most_survival = .95;         ///< even where nothing is absorbe
 class LightPath {
 public:
     LightPath(const Scene& scene, const Visibility& visibility, const EmitterSampler& emitters, const LightTracingSettings& settings, std::uint64_t index)
-        : scene_(scene), visibility_(visibility), settings_(settings), random_(settings.seed, settings.pass, settings.pilot ? RandomStream::pilot : RandomStream::light_path, index)
+        : scene_(scene), visibility_(visibility), settings_(settings), random_(settings.seed, settings.pass, settings.pilot ? RandomStream::pilot : RandomStream::light_path, index, settings.even)
     {
         const EmitterChoice choice = emitters.choose(random_.next());
         const Vec2 where = random_.next2(), which_way = random_.next2();
@@ -109,7 +109,7 @@ private:
     const Scene& scene_;
     const Visibility& visibility_;
     const LightTracingSettings& settings_;
-    RandomSequence random_;
+    EvenSequence random_;  ///< emitter 1, emission 4, first flight 2, first vertex 2; then independent
     Ray ray_;
     int medium_ = vacuum, depth_ = 0;
     Rgb throughput_{0};
@@ -143,7 +143,7 @@ VirtualLights trace_lights(const Scene& scene, const Visibility& visibility, con
 
 std::uint64_t paths_for(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, LightTracingSettings settings, std::uint32_t lights)
 {
-    settings.pilot = true, settings.pass = 0, settings.paths = pilot_paths;
+    settings.pilot = true, settings.even = false, settings.pass = 0, settings.paths = pilot_paths;
     const double per_path = double(trace_lights(scene, visibility, technique, settings).count) / double(pilot_paths);
     if (per_path == 0) return pilot_paths;  // no light reached a medium in the pilot: look harder than the wish
     return static_cast<std::uint64_t>(std::max(std::round(lights / per_path), 1.0));

@@ -16,6 +16,7 @@ struct LightTracingSettings {
     int max_depth = -1;                ///< of whole paths: lights that no camera path could use are not left
     LightSegments light_segments = LightSegments::all;
     SegmentLength segment_length = SegmentLength::long_;
+    bool even = true;                  ///< their first numbers are scrambled Sobol points; false: independent
     bool pilot = false;                ///< count only, from numbers of its own
 };
 

@@ -91,7 +91,7 @@ void PassRenderer::add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes
     const VirtualLights lights = clock_.time("trace_lights", [&] {
         return trace_lights(scene_, visibility_, technique_,
                             {.seed = settings_.seed, .pass = pass, .paths = light_paths_, .max_depth = max_depth_, .light_segments = settings_.light_segments,
-                             .segment_length = settings_.segment_length});
+                             .segment_length = settings_.segment_length, .even = settings_.emission != Sequence::random});
     });
     const std::uint64_t key = mix_bits(mix_bits(settings_.seed) + pass);
     virtual_lights_ += lights.count, eye_segments_ += eyes.segments.size(), eye_points_ += eyes.points.size();

@@ -65,6 +65,7 @@ struct RenderSettings {
     SegmentLength segment_length = SegmentLength::long_;
     Sampler sampler = Sampler::automatic;
     Sequence sequence = Sequence::automatic;
+    Sequence emission = Sequence::automatic;  ///< of light paths; automatic: sobol
     GridTransmittance transmittance = GridTransmittance::march;
     std::optional<std::uint32_t> features;  ///< mask of kernels/shared/scene_features.h for all kernels; none: what the scene calls for
     std::string device;                ///< index, substring of the name, or platform:device; empty: the default device
