@@ -23,6 +23,9 @@
 
 #include "kernels/shared/records.hpp"
 
+// Lights have the functions of one contract, with its parameters, whether they need them or not (host/docs/adding_a_light.md).
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+
 #define REAL float
 namespace tyndall::maths_float {
 #include "kernels/math/maths.h"
@@ -41,9 +44,12 @@ namespace tyndall::maths_float {
 #undef PHASE_PRODUCT_H
 #undef PHASE_LOBES_H
 #undef ROD_TABLE_H
+#undef LIGHT_ESTIMATE_H
 #undef ROD_ESTIMATE_H
 #undef TRANSMITTANCE_H
 #undef SURFACE_ROD_H
+#undef EYE_AND_LIGHT_H
+#undef RAY_LIGHT_H
 #undef LINEAR_PIECE_H
 #undef MIS_H
 

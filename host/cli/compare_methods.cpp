@@ -28,8 +28,7 @@ namespace fs = std::filesystem;
 /// Fills in what was not given, and puts the times in order.
 void complete(CompareCommand& command)
 {
-    if (command.methods.empty())
-        for (const auto& method : method_names) command.methods.push_back(method.value);
+    if (command.methods.empty()) command.methods = {Method::vrl, Method::path};
     if (command.times.empty()) command.times = {1, 6};
     std::ranges::sort(command.times);
     command.times.erase(std::unique(command.times.begin(), command.times.end()), command.times.end());

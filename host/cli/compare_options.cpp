@@ -55,8 +55,8 @@ void add_number_dial(CLI::App& app, CompareCommand& command, const char* option,
 
 void add_dials(CLI::App& app, CompareCommand& command)
 {
-    add_list(app, "--methods", "NAMES", "methods to compare (all that there are)", [&](const Texts& texts) {
-        for (const std::string& text : texts) command.methods.push_back(parse_named("--methods", text, method_names));
+    add_list(app, "--methods", "NAMES", "methods to compare (vrl,path)", [&](const Texts& texts) {
+        for (const std::string& text : texts) command.methods.push_back(parse_method("--methods", text));
     });
     add_named_dial(app, command, "--samplers", "of connections", sampler_names, &RenderSettings::sampler);
     add_named_dial(app, command, "--sequences", "numbers of the samples", sequence_names, &RenderSettings::sequence);
@@ -88,7 +88,7 @@ void add_measuring(CLI::App& app, CompareCommand& command)
     app.add_option("--reference", command.reference, "image to measure against, *.exr (made by path tracing)")->type_name("FILE");
     add(app, "--reference-time", "TIME", "for the reference that is made (four times the longest time)",
         [&](const auto& text) { command.reference_seconds = parse_duration("--reference-time", text); });
-    add(app, "--reference-method", "NAME", "that makes it (path)", [&](const auto& text) { command.reference_method = parse_named("--reference-method", text, method_names); });
+    add(app, "--reference-method", "NAME", "that makes it (path)", [&](const auto& text) { command.reference_method = parse_method("--reference-method", text); });
     add(app, "--seed", "N", "of the reference; runs have the seeds after it (1)", [&](const auto& text) { command.settings.seed = parse_unsigned("--seed", text); });
     app.add_option("-o,--output", command.output, "folder for the page (named after the scene)")->type_name("FOLDER");
 }

@@ -8,6 +8,7 @@
 
 #include "kernels/shared/host_features.hpp"
 #include "scene/text.hpp"
+#include "lights/light_technique.hpp"
 #include "tyndall/error.hpp"
 
 namespace tyndall {
@@ -134,6 +135,14 @@ std::size_t parse_choice(std::string_view option, const std::string& text, const
     for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == text) return i;
     refuse(option, text, fmt::format("must be one of {}{}", fmt::join(names, ", "), suggestion(text, names)));
+}
+
+Method parse_method(std::string_view option, const std::string& text)
+{
+    const std::vector<Method> methods = all_methods();
+    std::vector<std::string> names;
+    for (const Method method : methods) names.emplace_back(method.name());
+    return methods[parse_choice(option, text, names)];
 }
 
 std::pair<std::string, std::string> parse_definition(std::string_view option, const std::string& text)

@@ -50,6 +50,9 @@ Value parse_named(std::string_view option, const std::string& text, const std::a
     return table[parse_choice(option, text, names)].value;
 }
 
+/// The method of that name: one of all_methods().
+Method parse_method(std::string_view option, const std::string& text);
+
 /// "name=value"; the name is not empty.
 std::pair<std::string, std::string> parse_definition(std::string_view option, const std::string& text);
 

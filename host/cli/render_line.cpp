@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "lights/light_technique.hpp"
 #include "tyndall/setting_names.hpp"
 
 namespace tyndall {

@@ -37,8 +37,8 @@ void add_budget(CLI::App& app, RenderSettings& settings)
 
 void add_transport(CLI::App& app, RenderSettings& settings, LayerSet& layers)
 {
-    add(app, "--method", "NAME", "vrl: virtual ray lights; path: path tracing of every layer (vrl)", [&](const auto& text) {
-        settings.method = parse_named("--method", text, method_names);
+    add(app, "--method", "NAME", "vrl, vpl: virtual ray or point lights; path: path tracing of every layer (vrl)", [&](const auto& text) {
+        settings.method = parse_method("--method", text);
     });
     app.add_option_function<std::vector<std::string>>(
            "--layer",

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "lights/light_technique.hpp"
 #include "tyndall/error.hpp"
 #include "tyndall/setting_names.hpp"
 
@@ -30,8 +31,6 @@ std::vector<Candidate> multiplied(const std::vector<Candidate>& candidates, cons
 }
 
 }  // namespace
-
-bool uses_virtual_lights(Method method) { return method != Method::path; }
 
 std::vector<Candidate> candidates_of(const RenderSettings& base, const std::vector<Method>& methods, const std::vector<Dial>& dials)
 {

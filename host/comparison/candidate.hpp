@@ -25,9 +25,6 @@ struct Dial {
     bool of_virtual_lights = true;  ///< false: it also changes methods without virtual lights
 };
 
-/// Does the method connect virtual lights? Dials of virtual lights change nothing for others.
-bool uses_virtual_lights(Method method);
-
 /// Every combination of the values, the first dial outermost: `methods` first, which is named always; other dials are named only if they have several values. A method without virtual
 /// lights takes part once for every combination of the dials that concern it. Throws UsageError for no method, for more than `most_candidates`, and for two of one name.
 std::vector<Candidate> candidates_of(const RenderSettings& base, const std::vector<Method>& methods, const std::vector<Dial>& dials);

@@ -25,7 +25,7 @@ std::vector<KernelBuild> kernel_builds(const PairProgram& program)
 {
     const std::string own = build_options(program);
     std::vector<KernelBuild> builds;
-    if (program.features & feature_bit::heterogeneous) builds.push_back({"tabulate_lights", own, program.features});
+    if (program.features & feature_bit::heterogeneous && program.light_is_line) builds.push_back({"tabulate_lights", own, program.features});
     if (program.features & feature_bit::heterogeneous && program.eyes == EyeKind::segments) builds.push_back({"tabulate_eyes", own, program.features});
     if (program.features & feature_bit::occluders) builds.insert(builds.end(), {{"sample_pairs", own, program.features}, {"accumulate_pairs", build_options({.lanes = program.lanes}), 0}});
     else builds.push_back({"gather_lights", own, program.features});

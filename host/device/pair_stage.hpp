@@ -22,6 +22,7 @@ enum class EyeKind { segments, points };
 struct PairProgram {
     std::string light = "virtual_ray_light";  ///< file in kernels/lights
     std::uint32_t light_bytes = 64;           ///< of its record
+    bool light_is_line = true;                ///< its LIGHT_IS_LINE: in density grids it has tables of what lies along it
     EyeKind eyes = EyeKind::segments;
     std::uint32_t features = 0;               ///< mask of kernels/shared/scene_features.h
     int lanes = 16;

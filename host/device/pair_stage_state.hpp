@@ -102,8 +102,9 @@ struct PairStage::State {
         const auto count = static_cast<std::uint32_t>(records.size() / program.light_bytes);
         to.records.upload(device, records);
         if (program.selection) to.weights.upload(device, weights.empty() ? bytes_of(std::vector<float>(count, 1.0f)) : std::as_bytes(weights));
-        to.tables.reserve(device, has_grids() ? count * table_bytes() : 0);
-        if (has_grids()) on_device(device, "tabulating what lies along lights", [&] { run_table(tabulate_lights, to.records, to.tables, count); });
+        const bool wanted = has_grids() && program.light_is_line;
+        to.tables.reserve(device, wanted ? count * table_bytes() : 0);
+        if (wanted) on_device(device, "tabulating what lies along lights", [&] { run_table(tabulate_lights, to.records, to.tables, count); });
         return count;
     }
 

@@ -67,9 +67,12 @@ private:
             const MediumLine line{.medium = medium, .origin = ray_.origin, .direction = ray_.direction, .t0 = piece.t0, .t1 = ends_here ? flight.t : piece.t1};
             const Rgb flux = throughput_ * before;
             const LitStretch lit = lit_stretch(scene_, line);
-            if (lit.length > 0 && largest(flux * medium.sigma_s()) > 0)
+            if (lit.length > 0 && largest(flux * medium.sigma_s()) > 0) {
+                const bool collides = flight.collided && flight.piece == i;
                 deposit(LightPathSegment{.origin = ray_.origin + lit.start * ray_.direction, .direction = ray_.direction, .length = lit.length, .medium = piece.medium,
-                                         .flux = flux, .depth = depth_, .is_short = is_short, .channel = is_short ? share * before : Rgb(0)});
+                                         .flux = flux, .depth = depth_, .is_short = is_short, .channel = is_short ? share * before : Rgb(0),
+                                         .collision = collides ? std::max(flight.t - lit.start, 0.0) : -1, .scattered = collides ? throughput_ * flight.weight : Rgb(0)});
+            }
             if (ends_here) return;
             before *= glm::exp(-lit.whole);
         }

@@ -1,10 +1,12 @@
 #pragma once
 /// What the pipeline knows of a kind of virtual light: how a light path becomes records. Everything else about it is in kernels/lights/<name>.h.
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "scene/scene.hpp"
+#include "tyndall/settings.hpp"
 
 namespace tyndall {
 
@@ -17,19 +19,32 @@ struct LightPathSegment {
     int depth;                ///< scattering vertices before the origin
     bool is_short;
     Rgb channel;              ///< if short: probability that each channel chose the distance x its transmittance up to the origin
+    double collision;         ///< distance of the path's own collision, where it goes on in another direction; negative: it leaves the piece
+    Rgb scattered;            ///< power that it takes on from there: flux x transmittance x sigma_s / density of the collision; 0 without one
 };
 
 struct LightTechnique {
+    std::string_view method;   ///< as --method calls it
     std::string_view name;     ///< file name in kernels/lights and host/lights
-    std::string_view title;    ///< for people
+    std::string_view title;    ///< for people, in the plural
     std::size_t record_bytes;  ///< size of its record `Light`
+    bool is_line;              ///< LIGHT_IS_LINE of its kernels: it shines from everywhere along a segment, and --short means something
     bool unbiased;
+    std::string_view surface_sampler, surface_sampler_why;  ///< how a surface point's place on it is drawn, and why so
     /// Appends the records that a segment leaves.
     void (*deposit)(const LightPathSegment& segment, std::vector<std::byte>& records);
 };
 
-/// The technique of that name, from the registry that CMake makes of the files in kernels/lights. Throws UsageError for an unknown one.
-const LightTechnique& light_technique(std::string_view name);
+/// All kinds, from the registry that CMake makes of the files in kernels/lights.
+std::span<const LightTechnique> light_techniques();
+
+/// The technique that carries what media scatter by that method; null for path tracing. Throws UsageError for a method that no technique has.
+const LightTechnique* technique_of(Method method);
+
+inline bool uses_virtual_lights(Method method) { return technique_of(method) != nullptr; }
+
+/// Every value of --method: the default first, path tracing last.
+std::vector<Method> all_methods();
 
 /// Appends a record's bytes.
 template <typename Record>

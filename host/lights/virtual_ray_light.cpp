@@ -25,10 +25,14 @@ void deposit_virtual_ray_light(const LightPathSegment& s, std::vector<std::byte>
 
 LightTechnique virtual_ray_light_technique()
 {
-    return {.name = "virtual_ray_light",
+    return {.method = "vrl",
+            .name = "virtual_ray_light",
             .title = "virtual ray lights",
             .record_bytes = sizeof(maths_float::VirtualRayLight),
+            .is_line = true,
             .unbiased = true,
+            .surface_sampler = "cosine",
+            .surface_sampler_why = "along the light by the angle at the surface and its cosine, in closed form",
             .deposit = deposit_virtual_ray_light};
 }
 

@@ -43,7 +43,11 @@ PairProgram pair_program(const LayerPlan& plan, const RenderSettings& settings, 
     const std::uint32_t features = kind == EyeKind::segments ? masks.media_to_media : masks.media_to_surface;
     int sampler = kind == EyeKind::segments ? plan.sampler : SAMPLER_PAPER_ISOTROPIC;  // points are the same program for every sampler
     if (sampler == SAMPLER_PAPER && !(features & feature_bit::anisotropic)) sampler = SAMPLER_PAPER_ISOTROPIC;    // and so are these two
-    return {.eyes = kind,
+    const LightTechnique& technique = *plan.technique;
+    return {.light = std::string(technique.name),
+            .light_bytes = static_cast<std::uint32_t>(technique.record_bytes),
+            .light_is_line = technique.is_line,
+            .eyes = kind,
             .features = features,
             .lanes = lanes,
             .sampler = sampler,

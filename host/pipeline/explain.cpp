@@ -52,7 +52,7 @@ std::vector<EffectReport> effect_reports(const SceneFeatures& features)
 Explanation explain(const Scene& scene, const RenderSettings& settings)
 {
     check_settings(settings);
-    const SceneFeatures features = features_of(scene, settings.segment_length == SegmentLength::short_, settings.max_depth.value_or(scene.max_depth));
+    const SceneFeatures features = features_for(scene, settings);
     const LayerPlan plan = plan_layers(scene, features, settings);
     const BuildMasks masks = build_masks(features, plan, settings.features);
     const SelectionPlan& selection = plan.selection;
@@ -67,7 +67,7 @@ Explanation explain(const Scene& scene, const RenderSettings& settings)
     if (plan.virtual_lights()) e.selection = to_text(selection);
     e.grids = grid_transmittance(settings, plan, masks);
     e.memory = estimate_memory(scene, settings, plan, masks);
-    e.savings = savings_of(features, plan, masks, expected_pairs(e, settings, settings.method == Method::vrl ? selection.slots : 0));
+    e.savings = savings_of(features, plan, masks, expected_pairs(e, settings, plan.technique ? selection.slots : 0));
     add_warnings(scene, settings, e);
     return e;
 }

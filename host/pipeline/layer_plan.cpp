@@ -37,27 +37,28 @@ void skip_if_thin(const Scene& scene, double allowed, LayerReport& report)
 }
 
 /// How a layer is rendered, and why so.
-struct Technique { const char *name, *why; };
+struct Carrier { std::string name, why; };
 
-Technique technique_for(Layer layer, Method method)
+Carrier carrier_of(Layer layer, const LightTechnique* lights)
 {
-    if (method == Method::path) return {"path tracing", "--method path"};
+    if (!lights) return {"path tracing", "--method path"};
+    const std::string title(lights->title);
     switch (layer) {
         case Layer::emitted: return {"camera ray", "the camera's own path meets the light"};
         case Layer::surface_direct: return {"next-event estimation", "straight lines from surfaces to lights"};
-        case Layer::surface_indirect: return {"path tracing", "virtual ray lights lie in media only"};
+        case Layer::surface_indirect: return {"path tracing", title + " lie in media only"};
         case Layer::single: return {"equi-angular light sampling", "straight lines from media to lights"};
-        case Layer::surface_to_media: return {"path tracing", "virtual ray lights carry light that a medium has scattered"};
+        case Layer::surface_to_media: return {"path tracing", title + " carry light that a medium has scattered"};
         case Layer::media_to_media:
-        case Layer::media_to_surface: return {"virtual ray lights", "light that a medium has scattered, on straight lines"};
+        case Layer::media_to_surface: return {title, "light that a medium has scattered, on straight lines"};
         default: return {"path tracing", "connections by straight lines do not pass mirrors and glass"};
     }
 }
 
-/// How places are drawn in a layer of virtual ray lights.
-void name_sampler(Layer layer, const ChosenSampler& chosen, LayerReport& report)
+/// How places are drawn in a layer of virtual lights.
+void name_sampler(Layer layer, const LightTechnique& lights, const ChosenSampler& chosen, LayerReport& report)
 {
-    if (layer == Layer::media_to_surface) report.sampler = "cosine", report.sampler_why = "along the light by the angle at the surface and its cosine, in closed form";
+    if (layer == Layer::media_to_surface) report.sampler = lights.surface_sampler, report.sampler_why = lights.surface_sampler_why;
     if (layer != Layer::media_to_media) return;
     report.sampler = sampler_name(chosen.sampler), report.sampler_why = chosen.why;
 }
@@ -73,28 +74,35 @@ LayerSet LayerPlan::rendered() const
     return set;
 }
 
+SceneFeatures features_for(const Scene& scene, const RenderSettings& settings)
+{
+    const LightTechnique* lights = technique_of(settings.method);
+    return features_of(scene, lights && lights->is_line && settings.segment_length == SegmentLength::short_, settings.max_depth.value_or(scene.max_depth));
+}
+
 LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const RenderSettings& settings)
 {
     const ChosenSampler chosen = choose_sampler(scene, features, settings.sampler);
-    LayerPlan plan{.selection = plan_selection(settings, scene.camera), .sampler = chosen.sampler};
+    LayerPlan plan{.technique = technique_of(settings.method), .selection = plan_selection(settings, scene.camera), .sampler = chosen.sampler};
     for (std::size_t l = 0; l < layer_count; ++l) {
         const Layer layer = static_cast<Layer>(l);
-        const Technique technique = technique_for(layer, settings.method);
-        LayerReport report{.layer = std::string(name(layer)), .technique = technique.name};
+        const Carrier carrier = carrier_of(layer, plan.technique);
+        LayerReport report{.layer = std::string(name(layer)), .technique = carrier.name};
         report.why = settings.layers.contains(layer) ? missing_for(layer, scene, features) : "turned off";
         if (report.why.empty() && layer == Layer::media_to_surface && !features.surfaces_in_reach)  // by straight lines; the sub-layer's go round by mirrors
             report.why = "no surface that reflects diffusely faces a medium that scatters";
         if (report.why.empty() && layer == Layer::media_to_media && settings.skip_thin > 0) skip_if_thin(scene, settings.skip_thin, report);
         report.skipped = !report.why.empty();
         if (report.skipped) report.technique = "skipped";
-        else report.why = technique.why;
+        else report.why = carrier.why;
         plan.reports.push_back(report);
         if (report.skipped) continue;
-        const bool vrl = settings.method == Method::vrl;
-        if (vrl) name_sampler(layer, chosen, plan.reports.back());
-        if (vrl && layer == Layer::media_to_media) plan.media_to_media = true;
-        else if (vrl && layer == Layer::media_to_surface) plan.media_to_surface = true;
-        else if (vrl && layer == Layer::single) plan.single = true;
+        const LightTechnique* lights = plan.technique;
+        if (lights) name_sampler(layer, *lights, chosen, plan.reports.back());
+        if (lights && (layer == Layer::media_to_media || layer == Layer::media_to_surface)) plan.reports.back().unbiased = lights->unbiased;
+        if (lights && layer == Layer::media_to_media) plan.media_to_media = true;
+        else if (lights && layer == Layer::media_to_surface) plan.media_to_surface = true;
+        else if (lights && layer == Layer::single) plan.single = true;
         else plan.path_traced.add(layer);
     }
     return plan;

@@ -2,6 +2,7 @@
 /// Who carries which layer: the choice of techniques for a scene, and why layers are skipped.
 #include <vector>
 
+#include "lights/light_technique.hpp"
 #include "pipeline/light_selection_plan.hpp"
 #include "report/report.hpp"
 #include "scene/scene_features.hpp"
@@ -10,6 +11,7 @@
 namespace tyndall {
 
 struct LayerPlan {
+    const LightTechnique* technique = nullptr;              ///< of the virtual lights; null: path tracing
     bool media_to_media = false, media_to_surface = false;  ///< by virtual lights
     bool single = false;                                    ///< by equi-angular light sampling
     LayerSet path_traced;                                   ///< by the path tracer
@@ -20,6 +22,9 @@ struct LayerPlan {
     LayerSet rendered() const;
     bool virtual_lights() const { return media_to_media || media_to_surface; }
 };
+
+/// Of the scene with the settings' depth and length of lights.
+SceneFeatures features_for(const Scene& scene, const RenderSettings& settings);
 
 LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const RenderSettings& settings);
 

@@ -41,16 +41,16 @@ void add_choice(const std::string& layer, std::uint64_t eyes, const SelectionPla
 }
 
 /// What one kind of eye takes on the device.
-void add_device(const RenderSettings& settings, const SelectionPlan& selection, const std::string& layer, std::uint64_t pixels, std::uint32_t features, std::vector<MemoryReport>& memory)
+void add_device(const RenderSettings& settings, const LightTechnique& technique, const SelectionPlan& selection, const std::string& layer, std::uint64_t pixels, std::uint32_t features, std::vector<MemoryReport>& memory)
 {
     const std::uint32_t lights = selection.lights;
     const std::uint64_t eyes = std::min<std::uint64_t>(pixels * static_cast<std::uint64_t>(selection.camera_samples), eyes_at_a_time(features));
     const bool occluders = features & feature_bit::occluders;
     if (selection.chosen) add_choice(layer, eyes, selection, memory);
-    add_tables(layer, layer == "media_to_media" ? eyes : 0, features, lights, memory);
+    add_tables(layer, layer == "media_to_media" ? eyes : 0, features, technique.is_line ? lights : 0, memory);
     constexpr std::uint64_t sums = 6 * sizeof(float), packet = sizeof(ShadowPacket) / SHADOW_PACKET_SIZE, contribution = 3 * sizeof(float);
     memory.push_back({layer + ": eyes and their sums", eyes * (sizeof(EyeSegment) + sums), true});
-    memory.push_back({layer + ": virtual lights", (lights + (selection.by_region() ? selection.candidates : 0)) * light_technique("virtual_ray_light").record_bytes, true});
+    memory.push_back({layer + ": virtual lights", (lights + (selection.by_region() ? selection.candidates : 0)) * technique.record_bytes, true});
     if (!occluders) return;
     const std::uint32_t samples = static_cast<std::uint32_t>(settings.samples_per_pair), wanted = std::max((settings.tile_pairs ? settings.tile_pairs : shadowed_pairs) / samples, 1u);
     const std::uint32_t slots = std::min(selection.slots_per_sample(), light_block);
@@ -80,8 +80,8 @@ std::vector<MemoryReport> estimate_memory(const Scene& scene, const RenderSettin
     const std::uint64_t kinds = (plan.media_to_media ? 1u : 0u) + (plan.media_to_surface ? 1u : 0u);
     const SelectionPlan& selection = plan.selection;
     memory.push_back({"eye segments and eye points", pixels * static_cast<std::uint64_t>(selection.camera_samples) * kinds * sizeof(EyeSegment)});
-    if (plan.media_to_media) add_device(settings, selection, "media_to_media", pixels, masks.media_to_media, memory);
-    if (plan.media_to_surface) add_device(settings, selection, "media_to_surface", pixels, masks.media_to_surface, memory);
+    if (plan.media_to_media) add_device(settings, *plan.technique, selection, "media_to_media", pixels, masks.media_to_media, memory);
+    if (plan.media_to_surface) add_device(settings, *plan.technique, selection, "media_to_surface", pixels, masks.media_to_surface, memory);
     if (grids > 0) memory.push_back({"grids of voxels, once for each kind of eye", kinds * grids, true});
     return memory;
 }

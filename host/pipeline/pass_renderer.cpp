@@ -46,11 +46,10 @@ PassRenderer::PassRenderer(const Scene& scene, const RenderSettings& settings, c
     : scene_(scene),
       settings_(settings),
       max_depth_(settings.max_depth.value_or(scene.max_depth)),
-      features_(features_of(scene, settings.segment_length == SegmentLength::short_, max_depth_)),
+      features_(features_for(scene, settings)),
       plan_(plan_layers(scene, features_, settings)),
       masks_(unchecked ? *unchecked : build_masks(features_, plan_, settings.features)),
-      visibility_(scene, settings.threads),
-      technique_(light_technique("virtual_ray_light"))
+      visibility_(scene, settings.threads)
 {
     if (plan_.virtual_lights()) prepare_lights();
 }
@@ -68,7 +67,7 @@ void PassRenderer::prepare_lights()
     auto to_segments = std::async(std::launch::async, build, plan_.media_to_media, EyeKind::segments);
     const std::uint32_t lights = plan_.selection.lights;
     light_paths_ = clock_.time("pilot", [&] {
-        return paths_for(scene_, visibility_, technique_,
+        return paths_for(scene_, visibility_, *plan_.technique,
                          {.seed = settings_.seed, .max_depth = max_depth_, .light_segments = settings_.light_segments, .segment_length = settings_.segment_length}, lights);
     });
     to_points_ = to_points.get(), to_segments_ = to_segments.get(), selftest_ = selftest.get();
@@ -78,8 +77,7 @@ void PassRenderer::prepare_lights()
 std::unique_ptr<EyeConnector> PassRenderer::make_connector(EyeKind kind)
 {
     const int lanes = lanes_of(settings_, *device_);
-    PairProgram program = pair_program(plan_, settings_, kind, masks_, lanes);
-    program.light = std::string(technique_.name), program.light_bytes = static_cast<std::uint32_t>(technique_.record_bytes);
+    const PairProgram program = pair_program(plan_, settings_, kind, masks_, lanes);
     const std::uint32_t limit = max_depth_ < 0 ? 0xffffffffu : static_cast<std::uint32_t>(std::max(max_depth_ - 1, 0));
     const ConnectSettings connect{.features = program.features, .samples = program.samples, .vertex_limit = limit, .tile_pairs = settings_.tile_pairs, .lanes = lanes};
     return std::make_unique<EyeConnector>(PairStage(*device_, program, media_tables(scene_, features_)), connect, plan_.selection, scene_.camera.crop_width);
@@ -89,7 +87,7 @@ void PassRenderer::add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes
 {
     if (!plan_.virtual_lights()) return;
     const VirtualLights lights = clock_.time("trace_lights", [&] {
-        return trace_lights(scene_, visibility_, technique_,
+        return trace_lights(scene_, visibility_, *plan_.technique,
                             {.seed = settings_.seed, .pass = pass, .paths = light_paths_, .max_depth = max_depth_, .light_segments = settings_.light_segments,
                              .segment_length = settings_.segment_length, .even = settings_.emission != Sequence::random});
     });
@@ -123,7 +121,7 @@ void PassRenderer::add_savings(Report& report) const
     const double lights = plan_.selection.chosen ? plan_.selection.slots_per_sample() : static_cast<double>(virtual_lights_) / passes;
     const PairCounts pairs{.to_segments = static_cast<double>(eye_segments_) * lights * samples, .to_points = static_cast<double>(eye_points_) * lights * samples,
                            .pixels = double(scene_.camera.crop_width) * scene_.camera.crop_height * passes,
-                           .lights_per_pass = settings_.method == Method::vrl ? plan_.selection.slots : 0.};
+                           .lights_per_pass = plan_.technique ? plan_.selection.slots : 0.};
     report.savings = savings_of(features_, plan_, masks_, pairs);
 }
 

@@ -60,7 +60,6 @@ private:
     LayerPlan plan_;
     BuildMasks masks_;
     Visibility visibility_;
-    const LightTechnique& technique_;
     std::optional<Device> device_;
     std::unique_ptr<EyeConnector> to_segments_, to_points_;
     std::optional<SelftestReport> selftest_;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "eye_tracing/eye_tracing.hpp"
+#include "lights/light_technique.hpp"
 #include "scene/text.hpp"
 #include "scene/volume_values.hpp"
 #include "transport/emitter.hpp"
@@ -81,14 +82,14 @@ double extent_of(const Scene& scene, int medium)
     return 2 * (bounds.empty() ? bounds_of(scene) : bounds).radius();
 }
 
-void doubt_medium(const Scene& scene, int index, Method method, std::vector<std::string>& doubts)
+void doubt_medium(const Scene& scene, int index, const LightTechnique* technique, std::vector<std::string>& doubts)
 {
     const Medium& medium = scene.media[static_cast<std::size_t>(index)];
     const double sigma_t = greatest(largest_extinction(scene, medium)), thickness = sigma_t * extent_of(scene, index), scene_size = 2 * bounds_of(scene).radius();
     if (sigma_t <= 0) return;
-    if (method == Method::vrl && thickness > thick && greatest(medium.sigma_s()) > 0)
-        doubts.push_back(about(medium.where, fmt::format("medium {} is {}{:.3g} mean free paths thick: virtual ray lights are the wrong tool above {:g}; use --method path",
-                                                         in_quotes(medium.name), medium.density == none ? "" : "up to ", thickness, thick)));
+    if (technique && thickness > thick && greatest(medium.sigma_s()) > 0)
+        doubts.push_back(about(medium.where, fmt::format("medium {} is {}{:.3g} mean free paths thick: {} are the wrong tool above {:g}; use --method path",
+                                                         in_quotes(medium.name), medium.density == none ? "" : "up to ", thickness, technique->title, thick)));
     const double relative = 1 / (sigma_t * scene_size);  // mean free path over the scene's size
     if (relative > longest || relative < shortest)
         doubts.push_back(about(medium.where, fmt::format("medium {}: its {}mean free path is {:.3g} times the size of the scene; check the units of sigma_t and of the lengths",
@@ -102,7 +103,7 @@ std::vector<std::string> doubts_about(const Scene& scene, const RenderSettings& 
     std::vector<std::string> doubts;
     doubt_lights(scene, visibility, doubts);
     doubt_unseen_media(scene, visibility, doubts);
-    for (std::size_t i = 0; i < scene.media.size(); ++i) doubt_medium(scene, static_cast<int>(i), settings.method, doubts);
+    for (std::size_t i = 0; i < scene.media.size(); ++i) doubt_medium(scene, static_cast<int>(i), technique_of(settings.method), doubts);
     return doubts;
 }
 

@@ -1,300 +1,83 @@
 /// A virtual ray light [Novak et al. 2012]: a piece of a light path inside one medium, shining from everywhere along it. This file is what every stage
-/// needs to know of it: the record `Light`, and one sample of its connection to an eye segment and to an eye point.
+/// needs to know of it; the mathematics is kernels/math/ray_light.h.
 #ifndef VIRTUAL_RAY_LIGHT_H
 #define VIRTUAL_RAY_LIGHT_H
 
-typedef struct {
-    float origin_x, origin_y, origin_z, length;
-    float direction_x, direction_y, direction_z;  ///< unit, direction of travel
-    uint medium;
-    float flux_r, flux_g, flux_b;  ///< W: emitted power x throughput up to the origin / number of paths; no transmittance along the light
-    uint depth;                    ///< scattering vertices before the origin
-    float channel_r, channel_g, channel_b;  ///< short: probability that channel c chose the distance x its transmittance up to the origin; long: unused
-    uint is_short;                          ///< 1: ends at its sampled collision and is divided by the probability of reaching v
-} VirtualRayLight;
-LAYOUT(VirtualRayLight, 64)
+#include "kernels/math/ray_light.h"
 
+typedef RayLight VirtualRayLight;
 typedef VirtualRayLight Light;
 
-/// What a connection carries if nothing blocks it, and where it runs.
-typedef struct {
-    real3 from, to;     ///< its ends: on the eye's side, on the light
-    real length;        ///< |to - from|
-    real3 radiance;     ///< towards the camera, without the transmittance of the connection itself
-    mask floored;       ///< the pair all but meets: the floor on its distance was active; its weight is finite but unbounded
-} Connection;
-
-/// Where a connection runs and what the choice is worth: distances along light and eye segment, 1 / (w^2 pdf).
-typedef struct {
-    real v, u, weight;
-    mask floored;  ///< the floor on the pair's distance was active (eq. 7)
-} Places;
-
-/// A medium per lane.
-typedef struct {
-    real3 sigma_t, sigma_s;
-    real g;
-    PhaseLanes phase;  ///< PHASE_LOBES: their phase functions
-} MediumLanes;
-
-typedef struct {
-    real3 origin, direction, throughput;
-    real length;
-} EyeSegmentLanes;
-
-typedef struct {
-    real3 position, normal, facing, throughput;
-} EyePointLanes;
-
-/// Transmittance per channel of optical depths.
-PURE real3 transmittance3(real3 depth)
-{
-    real first = transmittance(depth.x);
-    if (!(COLOURED | COLOURED_GRIDS)) return make_real3(first, first, first);
-    return make_real3(first, transmittance(depth.y), transmittance(depth.z));
-}
-
-/// Optical depths up to a point beyond the least of a channel that can have been chosen; 0 for channels that are less and cannot.
-PURE real3 beyond_least(VirtualRayLight light, MediumRecord medium, real3 path)
-{
-    if (COLOURED_GRIDS) {
-        real3 sigma = make_real3((real)medium.sigma_t_r, (real)medium.sigma_t_g, (real)medium.sigma_t_b), depth = mul3(sigma, path);
-        real low = light.channel_r > 0.0f ? depth.x : R(3e38), low_sigma = sigma.x, low_path = path.x;
-        mask green = (light.channel_g > 0.0f ? depth.y : R(3e38)) < low;
-        low = select(low, depth.y, green), low_sigma = select(low_sigma, sigma.y, green), low_path = select(low_path, path.y, green);
-        mask blue = (light.channel_b > 0.0f ? depth.z : R(3e38)) < low;
-        low_sigma = select(low_sigma, sigma.z, blue), low_path = select(low_path, path.z, blue);
-        return make_real3(fmax(difference_of_products(sigma.x, path.x, low_sigma, low_path), R(0.0)),
-                          fmax(difference_of_products(sigma.y, path.y, low_sigma, low_path), R(0.0)),
-                          fmax(difference_of_products(sigma.z, path.z, low_sigma, low_path), R(0.0)));
-    }
-    float huge = 3e38f;
-    float low = fmin(light.channel_r > 0.0f ? medium.sigma_t_r : huge,
-                     fmin(light.channel_g > 0.0f ? medium.sigma_t_g : huge, light.channel_b > 0.0f ? medium.sigma_t_b : huge));
-    return make_real3((real)fmax(medium.sigma_t_r - low, 0.0f) * path.x, (real)fmax(medium.sigma_t_g - low, 0.0f) * path.x, (real)fmax(medium.sigma_t_b - low, 0.0f) * path.x);
-}
-
-/// Exponents (to be negated) and divisor of the transmittance along a light up to a point: long lights transmit exp(-depth) and divide by 1; short ones
-/// divide by the probability that the sampled distance is beyond the point, sum_j channel_j exp(-depth_j). Both are taken relative to the smallest
-/// depth of a channel that can have been chosen, so that neither underflows alone. `path`: what the light passed up to there (Matter::path).
-typedef struct {
-    real3 depth;
-    real divisor;
-} AlongLight;
-PURE AlongLight along_light(VirtualRayLight light, MediumRecord medium, real3 path)
-{
-    AlongLight along;
-    along.depth = mul3(make_real3((real)medium.sigma_t_r, (real)medium.sigma_t_g, (real)medium.sigma_t_b), path);
-    along.divisor = R(1.0);
-    if (SHORT_LIGHTS && light.is_short != 0u) {
-        along.depth = beyond_least(light, medium, path);
-        real3 survive = transmittance3(along.depth);
-        along.divisor = fma((real)light.channel_r, survive.x, fma((real)light.channel_g, survive.y, (real)light.channel_b * survive.z));
-    }
-    return along;
-}
-
-PURE real3 light_origin(VirtualRayLight light) { return make_real3((real)light.origin_x, (real)light.origin_y, (real)light.origin_z); }
-PURE real3 light_direction(VirtualRayLight light) { return make_real3((real)light.direction_x, (real)light.direction_y, (real)light.direction_z); }
-PURE real3 scattered_flux(VirtualRayLight light, MediumRecord medium)
-{
-    return make_real3((real)(medium.sigma_s_r * light.flux_r), (real)(medium.sigma_s_g * light.flux_g), (real)(medium.sigma_s_b * light.flux_b));
-}
+enum { LIGHT_IS_LINE = 1 };  ///< shines from everywhere between its origin and light_length along its direction
+PURE real3 light_origin(VirtualRayLight light) { return ray_origin(light); }
+PURE real3 light_direction(VirtualRayLight light) { return ray_direction(light); }
+PURE float light_length(VirtualRayLight light) { return light.length; }
+/// 1: what it sends is divided by the chance of getting that far along it, so that it shines evenly.
+PURE uint light_is_even(VirtualRayLight light) { return SHORT_LIGHTS && light.is_short != 0u ? 1u : 0u; }
 
 // An eye segment's connection in three steps. Each is short enough for a processor to overlap it with the same step of the next pair, which all three
 // together are not; so the stages take a batch of pairs through one step before the next (kernels/stages/connection.h).
 
-/// What the samplers follow: the least extinction of the three channels, so that no channel's light is sampled too rarely far away; along short lights
-/// none, because what they lose is what their density divides by.
-PURE GuideMedia guide_media(MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium)
+typedef RodSample PlaceOnLight;
+PURE PlaceOnLight place_on_light(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, real xi)
 {
-    GuideMedia guide;
-    guide.g_eye = eye_medium.g, guide.g_light = (real)medium.g;
-    guide.sigma_eye = eye_medium.sigma_t.x, guide.sigma_leg = (real)medium.sigma_t_r;
-    if (COLOURED) {
-        guide.sigma_eye = fmin(guide.sigma_eye, fmin(eye_medium.sigma_t.y, eye_medium.sigma_t.z));
-        guide.sigma_leg = (real)fmin(medium.sigma_t_r, fmin(medium.sigma_t_g, medium.sigma_t_b));
-    }
-    if (HETEROGENEOUS && medium.density_grid != NO_GRID) guide.sigma_eye = guide.sigma_leg = R(0.0);  // where matter is, other densities know
-    guide.sigma_light = SHORT_LIGHTS && light.is_short != 0u ? R(0.0) : guide.sigma_leg;
-    return guide;
+    return place_on_ray(eye, eye_medium, light, medium, xi);
 }
-
-/// The numbers of the sampler that the kernel is built for.
-PURE TableShape table_shape(void)
+PURE Places place_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, PlaceOnLight on_light, PhaseTables tables, real xi)
 {
-    TableShape shape = {SAMPLER_NODES, SAMPLER_ANGLES, ANISOTROPIC};
-    return shape;
-}
-PURE WarpShape warp_shape(void)
-{
-    WarpShape shape = {SAMPLER_VERTICES, ANISOTROPIC, SAMPLER_ABSORBS};
-    return shape;
-}
-
-/// Step 1, the marginal: where on the light.
-PURE RodSample place_on_light(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, real xi)
-{
-    real3 q = sub3(light_origin(light), eye.origin), b = light_direction(light);
-    if (!SAMPLER_TABULATES) return sample_rod(q, eye.direction, b, (real)light.length, xi);
-    return sample_rod_table(q, eye.direction, b, (real)light.length, eye.length, guide_media(eye_medium, light, medium), table_shape(), xi);
-}
-
-/// Step 2, the conditional: where on the eye segment, and the weight of both choices.
-PURE Places place_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, RodSample rod, PhaseTables tables,
-                              real xi)
-{
-    real3 b = light_direction(light), p = along3(sub3(light_origin(light), eye.origin), rod.v, b);
-    PhaseWarp warp = {xi, R(1.0)};
-    if (SAMPLER_WARPS)
-        warp = sample_lobe_product(p, eye.direction, eye.length, b, guide_media(eye_medium, light, medium), eye_medium.phase, phase_range(medium), tables, warp_shape(), xi);
-    AngleSample angle = sample_equiangular(p, eye.direction, eye.length, warp.x);
-    Places places;
-    places.v = rod.v, places.u = angle.u;
-    places.weight = pair_weight(rod, angle) / warp.density;
-    places.floored = rod.floor_ratio > R(1.0);
-    return places;
+    return place_beside_ray(eye, eye_medium, light, medium, on_light, tables, xi);
 }
 
 /// Steps 1 and 2 for places that another density has drawn: the weight that the two would have given them.
-PURE RodSample find_on_light(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, real v)
+PURE PlaceOnLight find_on_light(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, real v)
 {
-    real3 q = sub3(light_origin(light), eye.origin), b = light_direction(light);
-    if (!SAMPLER_TABULATES) return rod_at(q, eye.direction, b, (real)light.length, v);
-    return rod_table_at(q, eye.direction, b, (real)light.length, eye.length, guide_media(eye_medium, light, medium), table_shape(), v);
+    return find_on_ray(eye, eye_medium, light, medium, v);
 }
-PURE Places find_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, RodSample rod, PhaseTables tables, real u)
+PURE Places find_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, PlaceOnLight on_light, PhaseTables tables, real u)
 {
-    real3 b = light_direction(light), p = along3(sub3(light_origin(light), eye.origin), rod.v, b);
-    real density = R(1.0);
-    if (SAMPLER_WARPS)
-        density = pdf_lobe_product(p, eye.direction, eye.length, b, guide_media(eye_medium, light, medium), eye_medium.phase, phase_range(medium), tables, warp_shape(),
-                                   invert_equiangular(p, eye.direction, eye.length, u));
-    Places places;
-    places.v = rod.v, places.u = u;
-    places.weight = pair_weight(rod, angle_at(p, eye.direction, eye.length, u)) / density;
-    places.floored = rod.floor_ratio > R(1.0);
-    return places;
+    return find_beside_ray(eye, eye_medium, light, medium, on_light, tables, u);
 }
+PURE Places share_places(EyeSegmentLanes eye, VirtualRayLight light, Places at, real other, real share) { return share_ray_places(eye, light, at, other, share); }
 
-/// The places with the weight that they have when with the chance `share` they are drawn with density `other`, per area of u and v, instead.
-PURE Places share_places(EyeSegmentLanes eye, VirtualRayLight light, Places at, real other, real share)
-{
-    real3 d = along3(along3(sub3(light_origin(light), eye.origin), at.v, light_direction(light)), -at.u, eye.direction);
-    at.weight = shared_weight(at.weight, other * dot3(d, d), share);   // weight = 1 / (w^2 pdf)
-    return at;
-}
-
-/// Step 3: everything but the transmittance of the connection (kernels/README.md). on_eye, on_light: what lies along both up to the places.
 PURE Connection connect_segment_at(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, PhaseTables tables, Places at,
                                     Matter on_eye, Matter on_light)
 {
-    real3 b = light_direction(light), q = sub3(light_origin(light), eye.origin), p = along3(q, at.v, b);
-    real3 d = along3(p, -at.u, eye.direction);                    // from the eye segment to the light
-    Connection c;
-    c.floored = at.floored;
-    c.from = along3(eye.origin, at.u, eye.direction);
-    c.to = add3(c.from, d);
-    c.length = length3(d);
-    real phase = phase_isotropic() * phase_isotropic();
-    if (ANISOTROPIC) {
-        real3 towards_eye = scale3(d, R(-1.0) / fmax(c.length, R(1e-30)));  // length 0: direction (0, 0, 0), whose phase is finite
-        phase = phase_of(phase_range(medium), tables, b, towards_eye) *
-                phase_of_lanes(eye_medium.phase, tables, eye_medium.g, towards_eye, scale3(eye.direction, R(-1.0)));
-    }
-    AlongLight along = along_light(light, medium, on_light.path);
-    real3 depth = make_real3(fma(eye_medium.sigma_t.x, on_eye.path.x, along.depth.x), fma(eye_medium.sigma_t.y, on_eye.path.y, along.depth.y),
-                             fma(eye_medium.sigma_t.z, on_eye.path.z, along.depth.z));
-    real3 scattering = mul3(eye_medium.sigma_s, scattered_flux(light, medium));
-    if (HETEROGENEOUS) scattering = mul3(scattering, mul3(on_eye.scattering, on_light.scattering));
-    c.radiance = scale3(mul3(mul3(scattering, eye.throughput), transmittance3(depth)), at.weight * phase / along.divisor);
-    return c;
+    return connect_ray_to_segment(eye, eye_medium, light, medium, tables, at, on_eye, on_light);
 }
 
 /// The three steps for one pair in homogeneous media.
 PURE Connection connect_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, PhaseTables tables, Random2 xi)
 {
-    RodSample rod = place_on_light(eye, eye_medium, light, medium, xi.first);
-    Places at = place_on_segment(eye, eye_medium, light, medium, rod, tables, xi.second);
+    PlaceOnLight on_light = place_on_light(eye, eye_medium, light, medium, xi.first);
+    Places at = place_on_segment(eye, eye_medium, light, medium, on_light, tables, xi.second);
     return connect_segment_at(eye, eye_medium, light, medium, tables, at, even_matter(at.u), even_matter(at.v));
 }
 
-/// A point on a diffuse surface, in two steps. The first: cosine-weighted density over the light in closed form (kernels/README.md).
-PURE SurfaceRodSample place_on_light_from_point(EyePointLanes eye, VirtualRayLight light, real xi)
-{
-    return sample_surface_rod(sub3(light_origin(light), eye.position), light_direction(light), (real)light.length, eye.normal, xi);
-}
+// A surface point's in two.
 
-/// The first for a place that another density has drawn.
-PURE SurfaceRodSample find_on_light_from_point(EyePointLanes eye, VirtualRayLight light, real v)
+typedef SurfaceRodSample PlaceFromPoint;
+PURE PlaceFromPoint place_on_light_from_point(EyePointLanes eye, VirtualRayLight light, real xi) { return place_on_ray_from_point(eye, light, xi); }
+PURE PlaceFromPoint find_on_light_from_point(EyePointLanes eye, VirtualRayLight light, real v) { return find_on_ray_from_point(eye, light, v); }
+PURE PlaceFromPoint share_place(EyePointLanes eye, VirtualRayLight light, PlaceFromPoint at, real other, real share) { return share_ray_place(eye, light, at, other, share); }
+PURE Connection connect_point_at(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, PhaseTables tables, PlaceFromPoint at, Matter on_light)
 {
-    return surface_rod_at(sub3(light_origin(light), eye.position), light_direction(light), (real)light.length, eye.normal, v);
-}
-
-/// The place with the weight that it has when with the chance `share` it is drawn with density `other`, per length of v, instead.
-PURE SurfaceRodSample share_place(EyePointLanes eye, VirtualRayLight light, SurfaceRodSample at, real other, real share)
-{
-    real3 d = along3(sub3(light_origin(light), eye.position), at.v, light_direction(light));
-    real w2 = dot3(d, d), over = w2 * sqrt(w2), rise = dot3(eye.normal, d);                    // weight = rise / (over pdf)
-    mask above = rise > R(0.0);
-    at.weight = select(R(0.0), shared_weight(at.weight, other * over / select(R(1.0), rise, above), share), above);
-    return at;
-}
-
-/// The second: everything but the transmittance of the connection.
-PURE Connection connect_point_at(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, PhaseTables tables, SurfaceRodSample rod, Matter on_light)
-{
-    real3 b = light_direction(light), d = along3(sub3(light_origin(light), eye.position), rod.v, b);
-    Connection c;
-    c.floored = rod.v < R(0.0);                                   // never: this density has no floor
-    c.from = eye.position;
-    c.to = add3(c.from, d);
-    c.length = length3(d);
-    real phase = phase_isotropic();
-    if (ANISOTROPIC) phase = phase_of(phase_range(medium), tables, b, scale3(d, R(-1.0) / fmax(c.length, R(1e-30))));
-    AlongLight along = along_light(light, medium, on_light.path);
-    real weight = select(R(0.0), rod.weight, dot3(d, eye.facing) > R(0.0));
-    real3 scattering = HETEROGENEOUS ? mul3(scattered_flux(light, medium), on_light.scattering) : scattered_flux(light, medium);
-    c.radiance = scale3(mul3(mul3(scattering, eye.throughput), transmittance3(along.depth)), weight * phase / along.divisor);
-    return c;
+    return connect_ray_to_point(eye, light, medium, tables, at, on_light);
 }
 
 /// The two steps for one pair in homogeneous media.
 PURE Connection connect_point(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, PhaseTables tables, Random2 xi)
 {
-    SurfaceRodSample at = place_on_light_from_point(eye, light, xi.first);
+    PlaceFromPoint at = place_on_light_from_point(eye, light, xi.first);
     return connect_point_at(eye, light, medium, tables, at, even_matter(at.v));
 }
 
-// Which lights an eye is connected to (kernels/README.md, section 16).
-/// What an eye that turns light into `colour` is estimated by. density: of the medium around, relative to its coefficients.
-PURE EstimateMedia estimate_media(VirtualRayLight light, MediumRecord medium, real3 colour, real g_eye, real density)
-{
-    real3 sigma_t = make_real3((real)medium.sigma_t_r * density, (real)medium.sigma_t_g * density, (real)medium.sigma_t_b * density);
-    real lost = SHORT_LIGHTS && light.is_short != 0u ? R(0.0) : R(1.0);
-    EstimateMedia m = {mul3(colour, scattered_flux(light, medium)), sigma_t, scale3(sigma_t, lost), sigma_t, g_eye, (real)medium.g, ANISOTROPIC, COLOURED | COLOURED_GRIDS};
-    return m;
-}
+// What lights are chosen by (kernels/README.md, section 16).
 
-/// Power that the light scatters, summed over channels, without 4 pi: what a choice by power alone goes by.
-PURE real light_power(VirtualRayLight light, MediumRecord medium)
-{
-    return rod_power(estimate_media(light, medium, make_real3(R(1.0), R(1.0), R(1.0)), R(0.0), R(1.0)), (real)light.length);
-}
-
-/// What an eye segment receives, roughly, summed over channels, up to a constant factor.
+PURE real light_power(VirtualRayLight light, MediumRecord medium) { return ray_power(light, medium); }
 PURE real estimate_to_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualRayLight light, MediumRecord medium, real density)
 {
-    EstimateMedia m = estimate_media(light, medium, mul3(eye.throughput, eye_medium.sigma_s), eye_medium.g, density);
-    if (MANY_MEDIA) m.eye = eye_medium.sigma_t;
-    return rod_estimate(sub3(light_origin(light), eye.origin), eye.direction, light_direction(light), (real)light.length, eye.length, m);
+    return estimate_ray_to_segment(eye, eye_medium, light, medium, density);
 }
-
-/// What a surface point receives.
-PURE real estimate_to_point(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, real density)
-{
-    return surface_rod_estimate(sub3(light_origin(light), eye.position), light_direction(light), (real)light.length, eye.normal,
-                                estimate_media(light, medium, eye.throughput, R(0.0), density));
-}
+PURE real estimate_to_point(EyePointLanes eye, VirtualRayLight light, MediumRecord medium, real density) { return estimate_ray_to_point(eye, light, medium, density); }
 
 #endif

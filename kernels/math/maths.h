@@ -15,8 +15,11 @@
 #include "kernels/math/phase_product.h"
 #include "kernels/math/phase_lobes.h"
 #include "kernels/math/rod_table.h"
+#include "kernels/math/light_estimate.h"
 #include "kernels/math/rod_estimate.h"
 #include "kernels/math/surface_rod.h"
 #include "kernels/math/transmittance.h"
+#include "kernels/math/eye_and_light.h"
+#include "kernels/math/ray_light.h"
 
 #endif

@@ -9,7 +9,12 @@ PURE float density_around(Surroundings s, Light light, uint number)
     MediumRecord medium = medium_of(s, light);
     if (!HETEROGENEOUS) return 1.0f;
     if (medium.density_grid == NO_GRID) return 1.0f;
-    float unit = (medium.sigma_t_r + medium.sigma_t_g + medium.sigma_t_b) / 3.0f * light.length;
+    if (!LIGHT_IS_LINE) {
+        float density[LANES];
+        store_lanes(grid_values(s, medium.density_grid, 0u, 0u, light_origin(light)).x, 0, density);
+        return density[0];
+    }
+    float unit = (medium.sigma_t_r + medium.sigma_t_g + medium.sigma_t_b) / 3.0f * light_length(light);
     return unit > 0.0f ? depth_of_light(s, light, number) / unit : 0.0f;
 }
 
@@ -31,7 +36,7 @@ __kernel void estimate_lights(__global const EyeRecord* eyes, uint groups, __glo
     for (uint number = first; number < min(first + LIGHT_BLOCK, count); ++number) {
         Light light = lights[first_light + number];
         MediumRecord medium = medium_of(s, light);
-        float density = density_around(s, light, first_light + number), counts = density * weights[first_light + number];
+        float density = density_around(s, light, first_light + number), counts = (LIGHT_IS_LINE ? density : 1.0f) * weights[first_light + number];  // a point's power has the density
         float around = HETEROGENEOUS && medium.density_grid != NO_GRID ? density * AROUND_LIGHTS : density;
         real estimate = estimate_light(eye, light, medium, (real)around) * (real)counts;
         estimate = select(R(0.0), fmin(estimate, R(1e30)), estimate > R(0.0));               // not a number: 0

@@ -23,8 +23,8 @@ PURE Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundings s)
     return eye;
 }
 
-typedef SurfaceRodSample OnLight;
-typedef SurfaceRodSample OnBoth;
+typedef PlaceFromPoint OnLight;
+typedef PlaceFromPoint OnBoth;
 PURE OnLight place_light(Eye eye, Light light, MediumRecord medium, real xi) { return place_on_light_from_point(eye.geometry, light, xi); }
 PURE OnBoth place_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi) { return on_light; }
 PURE Connection connect_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnBoth at, Matter on_eye, Matter on_light)

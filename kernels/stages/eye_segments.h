@@ -25,7 +25,7 @@ PURE Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundings s)
     return eye;
 }
 
-typedef RodSample OnLight;
+typedef PlaceOnLight OnLight;
 typedef Places OnBoth;
 PURE OnLight place_light(Eye eye, Light light, MediumRecord medium, real xi) { return place_on_light(eye.geometry, eye.medium, light, medium, xi); }
 PURE OnBoth place_eye(Eye eye, Light light, MediumRecord medium, PhaseTables tables, OnLight on_light, real xi)

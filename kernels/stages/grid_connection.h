@@ -20,18 +20,16 @@ PURE uint shared_bits(const EyeGroup* around, uint counter, uint salt) { return 
 
 PURE OpticalTable table_of_light(Surroundings s, Light light, uint number)
 {
-    float per_length = (float)TABLE_INTERVALS / fmax(light.length, 0x1p-126f);
+    float per_length = (float)TABLE_INTERVALS / fmax(light_length(light), 0x1p-126f);
     OpticalTable t = {s.light_tables + (size_t)number * TABLE_FLOATS, 1u, (bits)(0u), (real)per_length};
     return t;
 }
 PURE real3 sigma_t_of(MediumRecord m) { return make_real3((real)m.sigma_t_r, (real)m.sigma_t_g, (real)m.sigma_t_b); }
 
-/// Short lights divide by the chance of getting there: what is left of their transmittance is even.
-PURE uint lies_even(Light light) { return SHORT_LIGHTS && light.is_short != 0u ? 1u : 0u; }
-
-/// Mean grey optical depth of a light.
+/// Mean grey optical depth of a light; nothing lies along a point.
 PURE float depth_of_light(Surroundings s, Light light, uint number)
 {
+    if (!LIGHT_IS_LINE) return 0.0f;
     MediumRecord m = medium_of(s, light);
     __global const float* end = s.light_tables + (size_t)number * TABLE_FLOATS + TABLE_INTERVALS;
     float red = end[0], green = COLOURED_GRIDS ? end[TABLE_NODES] : red, blue = COLOURED_GRIDS ? end[2u * TABLE_NODES] : red;
@@ -43,7 +41,8 @@ PURE float share_of_matter(const EyeGroup* around, Surroundings s, Light light, 
 {
     if (medium_of(s, light).density_grid == NO_GRID) return 0.0f;
     float depth = depth_of_light(s, light, number);
-    if (!(depth > 0.0f)) return 0.0f;
+    if (!(LIGHT_IS_LINE | EYES_HAVE_TABLES)) return 0.0f;                // two points: there is nothing to draw
+    if (LIGHT_IS_LINE && !(depth > 0.0f)) return 0.0f;
     if (EYES_HAVE_TABLES && !(around->depth > 0.0f)) return 0.0f;
     return fmin(MATTER_SLOPE * fmax(depth + around->depth - MATTER_FROM, 0.0f), MATTER_MOST);
 }
@@ -60,11 +59,19 @@ PURE uint pairs_by_matter(const EyeGroup* around, Surroundings s, __global const
     return pairs;
 }
 
+/// What was passed along a light up to a place.
+PURE Passed passed_on_light(Surroundings s, Light light, uint number, real v)
+{
+    Passed none = {make_real3(R(0.0), R(0.0), R(0.0)), make_real3(R(0.0), R(0.0), R(0.0))};
+    return LIGHT_IS_LINE ? passed(table_of_light(s, light, number), v) : none;
+}
+
 /// Both places of such a pair, weighed as if the other way of drawing had placed them.
 APART OnBoth place_by_matter(Eye eye, const EyeGroup* around, Light light, Surroundings s, uint number, Random2 xi)
 {
     MediumRecord medium = medium_of(s, light);
-    real v = sample_matter(table_of_light(s, light, number), sigma_t_of(medium), (real)light.length, lies_even(light), xi.first);
+    real v = R(0.0);
+    if (LIGHT_IS_LINE) v = sample_matter(table_of_light(s, light, number), sigma_t_of(medium), (real)light_length(light), light_is_even(light), xi.first);
     return find_eye(eye, &around->table, light, medium, phase_tables(s), find_light(eye, light, medium, v), xi.second);
 }
 
@@ -72,16 +79,21 @@ PURE OnBoth share_with_matter(Eye eye, const EyeGroup* around, Surroundings s, L
 {
     float share = share_of_matter(around, s, light, number);
     if (!(share > 0.0f)) return at;
-    real mass = (real)s.light_tables[(size_t)number * TABLE_FLOATS + TABLE_FLOATS - 1u];
-    MatterDensity on_light = matter_density(to_light, sigma_t_of(medium_of(s, light)), mass, lies_even(light));
+    MatterDensity on_light = {R(1.0), R(0.0)};                         // a point is where it is
+    if (LIGHT_IS_LINE) {
+        real mass = (real)s.light_tables[(size_t)number * TABLE_FLOATS + TABLE_FLOATS - 1u];
+        on_light = matter_density(to_light, sigma_t_of(medium_of(s, light)), mass, light_is_even(light));
+    }
     return share_pair(eye, around->over_mass, light, at, to_eye, on_light, (real)share);
 }
 
-/// What lies along the light up to a place, exactly: from its table, with the interval of the place walked cell by cell.
-PURE Matter exact_matter_on_light(Surroundings s, MediumRecord medium, Light light, OpticalTable table, real v)
+/// What lies along the light up to a place, exactly: from its table, with the interval of the place walked cell by cell. A point has it in its power.
+PURE Matter exact_matter_on_light(Surroundings s, MediumRecord medium, Light light, uint number, real v)
 {
+    if (!LIGHT_IS_LINE) return even_matter(R(0.0));
+    OpticalTable table = table_of_light(s, light, number);
     real3 origin = light_origin(light), direction = light_direction(light);
-    TableNode node = node_below(table, v, (real)light.length);
+    TableNode node = node_below(table, v, (real)light_length(light));
     real3 way = scale3(direction, v - node.x);
     Matter m = {add3(node.path, exact_path(s, medium, along3(origin, node.x, direction), way, v - node.x, R(0.0), R(1.0))),
                 scattering_at(s, medium, along3(origin, v, direction))};
@@ -98,22 +110,22 @@ PURE Connection with_matter(Eye eye, const EyeGroup* around, Light light, Surrou
     c.radiance = mul3(c.radiance, transmittance3(leg_depth(&around->facing, s, medium, leg)));
     return c;
 }
-PURE Connection exactly(Eye eye, const EyeGroup* around, Light light, Surroundings s, OnBoth at, OpticalTable table)
+PURE Connection exactly(Eye eye, const EyeGroup* around, Light light, Surroundings s, OnBoth at, uint number)
 {
     return with_matter(eye, around, light, s, at, exact_matter_at_eye(s, &around->media, eye, &around->table, at),
-                       exact_matter_on_light(s, medium_of(s, light), light, table, at.v), march_shift((bits)(0u)), 1u);
+                       exact_matter_on_light(s, medium_of(s, light), light, number, at.v), march_shift((bits)(0u)), 1u);
 }
 
 /// A connection whose transmittances are approximate, unless TRANSMITTANCE says exact; what scatters at its ends is exact.
 PURE Connection connect_in_grids(Eye eye, const EyeGroup* around, Light light, Surroundings s, OnBoth at, uint number, uint counter)
 {
     MediumRecord medium = medium_of(s, light);
-    OpticalTable table = table_of_light(s, light, number);
-    Passed to_light = passed(table, at.v), to_eye = passed_to_eye(eye, &around->table, at);
+    Passed to_light = passed_on_light(s, light, number, at.v), to_eye = passed_to_eye(eye, &around->table, at);
     at = share_with_matter(eye, around, s, light, number, at, to_eye, to_light);
-    if (TRANSMITTANCE == TRANSMITTANCE_EXACT) return exactly(eye, around, light, s, at, table);
+    if (TRANSMITTANCE == TRANSMITTANCE_EXACT) return exactly(eye, around, light, s, at, number);
     Matter on_eye = matter_at_eye(s, &around->media, eye, at, to_eye.path);
-    Matter on_light = {to_light.path, scattering_at(s, medium, along3(light_origin(light), at.v, light_direction(light)))};
+    Matter on_light = even_matter(R(0.0));
+    if (LIGHT_IS_LINE) on_light.path = to_light.path, on_light.scattering = scattering_at(s, medium, along3(light_origin(light), at.v, light_direction(light)));
     return with_matter(eye, around, light, s, at, on_eye, on_light, march_shift(mix_lanes(eye.key + mix_scalar(counter ^ SALT_SHIFT))), 0u);
 }
 
@@ -129,9 +141,8 @@ PURE uint corrected_pairs(const EyeGroup* around, uint counter, uint count)
 /// Radiance of such a pair: approximate + CORRECTION_PERIOD (exact - approximate), unbiased whatever the approximation.
 APART real3 corrected_radiance(Eye eye, const EyeGroup* around, Light light, Surroundings s, OnBoth at, uint number, real3 approximate)
 {
-    OpticalTable table = table_of_light(s, light, number);
-    at = share_with_matter(eye, around, s, light, number, at, passed_to_eye(eye, &around->table, at), passed(table, at.v));
-    real3 error = sub3(exactly(eye, around, light, s, at, table).radiance, approximate);
+    at = share_with_matter(eye, around, s, light, number, at, passed_to_eye(eye, &around->table, at), passed_on_light(s, light, number, at.v));
+    real3 error = sub3(exactly(eye, around, light, s, at, number).radiance, approximate);
     return along3(approximate, (real)(float)CORRECTION_PERIOD, error);
 }
 

@@ -9,7 +9,7 @@ __kernel void tabulate_lights(__global const Light* lights, uint count, SURROUND
     Light light = lights[number];
     MediumRecord medium = medium_of(s, light);
     __global float* table = tables + (size_t)number * TABLE_FLOATS;
-    real step = (real)(light.length / (float)TABLE_INTERVALS);
+    real step = (real)(light_length(light) / (float)TABLE_INTERVALS);
     real3 origin = light_origin(light), direction = light_direction(light), d = scale3(direction, step);
     for (uint group = 0; group < TABLE_INTERVALS / LANES; ++group) {
         real3 path = exact_path(s, medium, along3(origin, to_real(lane_index(group)) * step, direction), d, step, R(0.0), R(1.0));
@@ -29,6 +29,6 @@ __kernel void tabulate_lights(__global const Light* lights, uint count, SURROUND
     }
     if (!COLOURED_GRIDS) totals[1] = totals[2] = totals[0];
     float masses[LANES];
-    store_lanes(over_mass(grey(sigma_t_of(medium), make_real3((real)totals[0], (real)totals[1], (real)totals[2])), lies_even(light)), 0, masses);
+    store_lanes(over_mass(grey(sigma_t_of(medium), make_real3((real)totals[0], (real)totals[1], (real)totals[2])), light_is_even(light)), 0, masses);
     *table = masses[0];
 }

@@ -1,46 +1,15 @@
 #pragma once
-/// The virtual ray light's kernel functions on the host, in both precisions under one name, for the pairs of plain_transport.hpp. For one source file per program.
-#include <gtest/gtest.h>
-
-#include <string>
-
-#include "glm/glm.hpp"
+/// A light's kernel functions in both precisions under one name, for the pairs of plain_transport.hpp. Before it come host_maths.hpp, the light's header in both
+/// namespaces, and `template <typename Light> Light light_of(const plain::Pair&)`: the light of a pair.
+#include "tests/lights/host_maths.hpp"
 
 namespace tyndall {
-static int tested_sampler = 0;  // the device's build option as a variable: every test can ask for its own
-}
-#define SAMPLER tested_sampler
-#include "kernels/shared/records.hpp"
-#include "tests/lights/lobes.hpp"
-#include "tests/lights/plain_transport.hpp"
-// The kernels' macros come after everything that is not theirs.
-// clang-format off
-#include "kernels/dialect_host.hpp"
-// clang-format on
-
-namespace tyndall {
-namespace maths_float {
-#include "kernels/lights/virtual_ray_light.h"
-}
-#undef VIRTUAL_RAY_LIGHT_H
-namespace maths_double {
-#include "kernels/lights/virtual_ray_light.h"
-}
-
 namespace {
 
 using plain::all_lobes;
 using plain::Lobes;
 using plain::Pair;
 using plain::SurfacePair;
-
-template <typename Light>
-Light light_of(const Pair& p)
-{
-    const auto f = [](double x) { return static_cast<float>(x); };
-    return {f(p.p.x), f(p.p.y), f(p.p.z), f(p.light_length), f(p.b.x), f(p.b.y), f(p.b.z), 0, f(p.flux.x), f(p.flux.y), f(p.flux.z), 0,
-            f(p.share.x), f(p.share.y), f(p.share.z), p.is_short ? 1u : 0u};
-}
 
 MediumRecord medium_of(const Pair& p, const Lobes& lobes = {})
 {
@@ -57,13 +26,13 @@ struct Double {
         const MediumRecord medium = medium_of(p, lobes);
         const real3 t{p.sigma_t.x, p.sigma_t.y, p.sigma_t.z}, s{p.sigma_s.x, p.sigma_s.y, p.sigma_s.z};
         const Connection c = connect_segment({{p.o.x, p.o.y, p.o.z}, {p.a.x, p.a.y, p.a.z}, {1, 1, 1}, p.eye_length}, {t, s, p.g, {1, !lobes.records.empty(), 0, {phase_range(medium)}}},
-                                             light_of<VirtualRayLight>(p), medium, {lobes.records.data(), lobes.values.data()}, {xi0, xi1});
+                                             light_of<Light>(p), medium, {lobes.records.data(), lobes.values.data()}, {xi0, xi1});
         return glm::dvec3(c.radiance.x, c.radiance.y, c.radiance.z) * glm::exp(-p.sigma_t * c.length);
     }
     static glm::dvec3 point(const SurfacePair& s, double xi0, const Lobes& lobes = {})
     {
         using namespace maths_double;
-        const Connection c = connect_point({{s.x.x, s.x.y, s.x.z}, {s.n.x, s.n.y, s.n.z}, {s.n.x, s.n.y, s.n.z}, {1, 1, 1}}, light_of<VirtualRayLight>(s.light), medium_of(s.light, lobes),
+        const Connection c = connect_point({{s.x.x, s.x.y, s.x.z}, {s.n.x, s.n.y, s.n.z}, {s.n.x, s.n.y, s.n.z}, {1, 1, 1}}, light_of<Light>(s.light), medium_of(s.light, lobes),
                                            {lobes.records.data(), lobes.values.data()}, {xi0, .5});
         return glm::dvec3(c.radiance.x, c.radiance.y, c.radiance.z) * glm::exp(-s.light.sigma_t * c.length);
     }
@@ -76,9 +45,16 @@ struct Float {
         const MediumRecord medium = medium_of(p, lobes);
         const auto v = [](const glm::dvec3& x) { return real3{float(x.x), float(x.y), float(x.z)}; };
         const Connection c = connect_segment({v(p.o), v(p.a), {1, 1, 1}, float(p.eye_length)},
-                                             {v(p.sigma_t), v(p.sigma_s), float(p.g), {1, !lobes.records.empty(), 0, {phase_range(medium)}}}, light_of<VirtualRayLight>(p), medium,
+                                             {v(p.sigma_t), v(p.sigma_s), float(p.g), {1, !lobes.records.empty(), 0, {phase_range(medium)}}}, light_of<Light>(p), medium,
                                              {lobes.records.data(), lobes.values.data()}, {float(xi0), float(xi1)});
         return glm::dvec3(c.radiance.x, c.radiance.y, c.radiance.z) * glm::exp(-p.sigma_t * double(c.length));
+    }
+    [[maybe_unused]] static glm::dvec3 point(const SurfacePair& s, double xi0, const Lobes& lobes = {})
+    {
+        using namespace maths_float;
+        const auto v = [](const glm::dvec3& x) { return real3{float(x.x), float(x.y), float(x.z)}; };
+        const Connection c = connect_point({v(s.x), v(s.n), v(s.n), {1, 1, 1}}, light_of<Light>(s.light), medium_of(s.light, lobes), {lobes.records.data(), lobes.values.data()}, {float(xi0), .5f});
+        return glm::dvec3(c.radiance.x, c.radiance.y, c.radiance.z) * glm::exp(-s.light.sigma_t * double(c.length));
     }
 };
 

@@ -112,4 +112,21 @@ glm::dvec3 transport(const SurfacePair& s)
     });
 }
 
+glm::dvec3 transport_from_point(const Pair& p)
+{
+    return p.flux * p.sigma_s * integrate(p.eye_length, [&](double u) {
+        const glm::dvec3 d = p.o + u * p.a - p.p;
+        const double w = glm::length(d);
+        return glm::exp(-p.sigma_t * (u + w)) * (phase(p, glm::dot(p.b, d / w)) * phase(p, glm::dot(d / w, -p.a)) / (w * w));
+    });
+}
+
+glm::dvec3 transport_from_point(const SurfacePair& s)
+{
+    const Pair& p = s.light;
+    const glm::dvec3 d = s.x - p.p;
+    const double w = glm::length(d);
+    return p.flux * glm::exp(-p.sigma_t * w) * (phase(p, glm::dot(p.b, d / w)) * std::max(glm::dot(s.n, -d / w), 0.0) / (w * w));
+}
+
 }  // namespace tyndall::plain

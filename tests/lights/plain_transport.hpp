@@ -33,4 +33,9 @@ glm::dvec3 transport(const Pair& pair);
 /// Integral over the light of flux sigma_s f T max(n . omega, 0) / w^2.
 glm::dvec3 transport(const SurfacePair& pair);
 
+/// The same for a point light at the pair's `p` that scatters the power `flux`, lit along `b`: one integral over the eye segment of flux sigma_s f f T / w^2, and flux f T
+/// max(n . omega, 0) / w^2.
+glm::dvec3 transport_from_point(const Pair& pair);
+glm::dvec3 transport_from_point(const SurfacePair& pair);
+
 }  // namespace tyndall::plain

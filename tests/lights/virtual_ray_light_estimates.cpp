@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "tests/lights/both_precisions.hpp"
+#include "tests/lights/ray_on_host.hpp"
 
 namespace tyndall {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <random>
 
-#include "tests/lights/both_precisions.hpp"
+#include "tests/lights/ray_on_host.hpp"
 
 namespace tyndall {
 namespace {

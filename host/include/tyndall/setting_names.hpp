@@ -13,7 +13,6 @@ struct Named {
     Value value;
 };
 
-inline constexpr std::array method_names{Named<Method>{"vrl", Method::vrl}, Named<Method>{"path", Method::path}};
 inline constexpr std::array sampler_names{Named<Sampler>{"auto", Sampler::automatic},
                                           Named<Sampler>{"paper-isotropic", Sampler::paper_isotropic},
                                           Named<Sampler>{"paper", Sampler::paper},
@@ -37,7 +36,5 @@ constexpr std::string_view name_in(const std::array<Named<Value>, count>& names,
 
 /// Where the lane width comes from: "rule", "calibration" or "request".
 constexpr std::string_view lanes_from(const RenderSettings& settings) { return settings.lanes == 0 ? "rule" : settings.lanes_calibrated ? "calibration" : "request"; }
-
-constexpr std::string_view name(Method method) { return name_in(method_names, method); }
 
 }  // namespace tyndall

@@ -3,15 +3,30 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "tyndall/layer.hpp"
 
 namespace tyndall {
 
-enum class Method {
-    vrl,   ///< virtual ray lights for media_to_media and media_to_surface, unbiased in every layer
-    path,  ///< the unbiased host path tracer for every layer
+/// How light is carried: what media scatter by a kind of virtual light, everything else as explain tells; or all of it by path tracing. A value is a name of
+/// --method: those below, or that of any light in kernels/lights. Names live as long as the program.
+class Method {
+public:
+    static const Method vrl;   ///< virtual ray lights for media_to_media and media_to_surface, unbiased in every layer
+    static const Method path;  ///< the unbiased host path tracer for every layer
+
+    constexpr explicit Method(std::string_view name) : name_(name) {}
+    constexpr std::string_view name() const { return name_; }
+    friend constexpr bool operator==(const Method&, const Method&) = default;
+
+private:
+    std::string_view name_;
 };
+inline constexpr Method Method::vrl{"vrl"};
+inline constexpr Method Method::path{"path"};
+constexpr std::string_view name(Method method) { return method.name(); }
+
 enum class LightSegments { all, first };  ///< first: only what leaves the emitter, before any scattering
 enum class SegmentLength { long_, short_ };  ///< a VRL ends at the next surface, or at its sampled collision
 

@@ -181,7 +181,7 @@ TEST_F(Program, UsageErrorsExitWith2AndHelp)
         {{"render", "scene.xml", "--passes", "0"}, "--passes \"0\": must be a whole number"},
         {{"render", "scene.xml", "--time", "soon"}, "--time \"soon\""},
         {{"render", "scene.xml", "--lanes", "5"}, "1, 4, 8, 16"},
-        {{"render", "scene.xml", "--method", "photons"}, "vrl, path"},
+        {{"render", "scene.xml", "--method", "photons"}, "vrl, vpl, path"},
         {{"render", "scene.xml", "--exposure", "nan"}, "--exposure \"nan\""},
         {{"render", "scene.xml", "-o", "a.png"}, "must end in .exr"},
         {{"render", "scene.xml", "--crop", "10,0,7,5"}, "must lie in the film of 16 x 12"},

@@ -1,0 +1,29 @@
+#include "lights/light_technique.hpp"
+
+#include <string>
+
+#include "tyndall/error.hpp"
+
+namespace tyndall {
+
+const LightTechnique* technique_of(Method method)
+{
+    if (method == Method::path) return nullptr;
+    std::string known;
+    for (const LightTechnique& technique : light_techniques()) {
+        if (technique.method == method.name()) return &technique;
+        known += std::string(technique.method) + ", ";
+    }
+    throw UsageError("unknown method \"" + std::string(method.name()) + "\"; there are: " + known + "path");
+}
+
+std::vector<Method> all_methods()
+{
+    std::vector<Method> methods{Method::vrl};
+    for (const LightTechnique& technique : light_techniques())
+        if (technique.method != Method::vrl.name()) methods.push_back(Method(technique.method));
+    methods.push_back(Method::path);
+    return methods;
+}
+
+}  // namespace tyndall
