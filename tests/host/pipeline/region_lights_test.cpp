@@ -15,7 +15,7 @@ namespace {
 /// Lights of equal power side by side, numbered by their depth field.
 VirtualLights row_of_lights(std::uint32_t count)
 {
-    const LightTechnique& technique = light_technique("virtual_ray_light");
+    const LightTechnique& technique = *technique_of(Method::vrl);
     VirtualLights lights{{}, count};
     for (std::uint32_t i = 0; i < count; ++i)
         technique.deposit({.origin = {.1 * i, 0, 0}, .direction = {0, 1, 0}, .length = 1, .medium = 0, .flux = Rgb(1), .depth = static_cast<int>(i), .is_short = false, .channel = Rgb(1)}, lights.records);
