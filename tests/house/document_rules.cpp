@@ -10,13 +10,13 @@
 namespace tyndall::house {
 namespace {
 
-const std::set<std::string> top_level = {"CMakeLists.txt", "CMakePresets.json", "LICENSE", "README.md", "bench", "host",
+const std::set<std::string> top_level = {"CMakeLists.txt", "CMakePresets.json", "CITATION.cff", "LICENSE", "README.md", "bench", "host",
                                          "kernels",        "scenes",            "tests",   "build",     "out"};
 
 std::vector<SourceFile> read_documents(const fs::path& root)
 {
     std::vector<SourceFile> documents;
-    for (const char* folder : {"host", "kernels", "scenes", "tests", "bench"})
+    for (const char* folder : {"host", "kernels", "scenes", "tests", "bench", ".github"})
         for (SourceFile& file : read_files(root, folder, {".md"})) documents.push_back(std::move(file));
     for (SourceFile& file : read_files(root, ".", {"README.md"}))
         if (file.path == "README.md") documents.push_back(std::move(file));
