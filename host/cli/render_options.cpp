@@ -125,6 +125,8 @@ void add_machine(CLI::App& app, RenderSettings& settings)
         "--no-selftest", [&] { settings.selftest = false; }, "render on a device that fails its selftest, or has not passed it yet, at your own risk");
     add(app, "--tile", "PAIRS", "pairs per tile; never changes a byte of the image",
         [&](const auto& text) { settings.tile_pairs = static_cast<std::uint32_t>(parse_integer("--tile", text, 1, 1 << 30)); });
+    add(app, "--launch-ms", "MS", "keep what the device does in one go below so many milliseconds (100); never changes a byte of the image",
+        [&](const auto& text) { settings.launch_seconds = 1e-3 * parse_number("--launch-ms", text, 1, 1e6); });
 }
 
 void add_output(CLI::App& app, RenderCommand& command)

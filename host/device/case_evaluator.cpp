@@ -11,7 +11,7 @@
 namespace tyndall {
 
 /// Work-items per group, and global sizes are multiples of it: some drivers compile a kernel again for every local size.
-constexpr std::size_t local_size = 8;
+constexpr std::uint32_t items_per_group = 8;
 
 struct CaseEvaluator::State {
     DeviceState& device;
@@ -68,7 +68,8 @@ std::vector<std::array<float, case_outputs>> CaseEvaluator::evaluate(std::uint32
     on_device(state_->device, "evaluating golden cases", [&] {
         cl::Kernel& kernel = state_->kernel;
         kernel.setArg(0, sampler), kernel.setArg(1, device_in), kernel.setArg(2, static_cast<cl_uint>(count)), kernel.setArg(3, device_out);
-        state_->device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((groups + local_size - 1) / local_size * local_size), cl::NDRange(local_size));
+        const std::size_t local = local_size(state_->device, kernel, items_per_group);
+        state_->device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((groups + local - 1) / local * local), cl::NDRange(local));
         state_->device.queue.enqueueReadBuffer(device_out, CL_TRUE, 0, sizeof(float) * outputs.size(), outputs.data());
     });
     for (std::size_t i = 0; i < in.size(); ++i)

@@ -34,6 +34,9 @@ Device::Device(Device&&) noexcept = default;
 
 const DeviceInfo& Device::info() const { return state_->info; }
 
+void Device::bound_launches(double seconds) { state_->launch_seconds = seconds; }
+bool Device::time_stamps() const { return state_->time_stamps; }
+
 std::uint64_t Device::programs_built() const
 {
     const std::lock_guard lock(state_->guard);
@@ -45,15 +48,15 @@ namespace {
 cl::Program compiled(DeviceState& state, const std::string& text, const std::string& options)
 {
     cl::Program program = on_device(state, "creating a program", [&] { return cl::Program(state.context, text); });
-    try {
-        program.build(state.device, options.c_str());
-    } catch (const cl::Error& error) {
+    const cl_device_id device = state.device();
+    const cl_int code = clBuildProgram(program(), 1, &device, options.c_str(), nullptr, nullptr);  // the binding asks for the log, and throws what that returns
+    if (code != CL_SUCCESS) {
         std::string log = "(no log)";
         try {
             log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(state.device);
         } catch (const cl::Error&) {
         }
-        throw BuildError(state.info.platform + ": " + state.info.name + ": kernels did not compile with " + opencl_error_name(error.err()) + ", options \"" + options +
+        throw BuildError(state.info.platform + ": " + state.info.name + ": kernels did not compile with " + opencl_error_name(code) + ", options \"" + options +
                          "\":\n" + log);
     }
     return program;
@@ -86,6 +89,7 @@ cl::Buffer& GrowingBuffer::reserve(DeviceState& state, std::size_t bytes)
 {
     bytes = std::max<std::size_t>(bytes, 64);
     if (bytes > size_) {
+        release();  // never both at once
         on_device(state, "allocating device memory", [&] { buffer_ = cl::Buffer(state.context, flags_, bytes); });
         size_ = bytes;
     }

@@ -20,6 +20,10 @@ public:
     const DeviceInfo& info() const;
     /// Programs built so far in this process for this device.
     std::uint64_t programs_built() const;
+    /// Stages that are made from now on keep their launches below so many seconds, as far as what earlier launches took can tell (launch_budget.hpp).
+    void bound_launches(double seconds);
+    /// False: the driver has no clock of its own, and times are those of the wall.
+    bool time_stamps() const;
     DeviceState& state() { return *state_; }
 
 private:

@@ -44,8 +44,6 @@ PairStage::PairStage(Device& device, const PairProgram& program, const MediaTabl
     state_->grids.upload(state_->device, bytes_of(tables.grids));
     state_->voxels.upload(state_->device, bytes_of(tables.voxels));
     state_->container_count = static_cast<std::uint32_t>(tables.containers.size());
-    const std::vector<std::uint32_t> zero(4, 0);
-    state_->ledger.upload(state_->device, bytes_of(zero));
 }
 
 PairStage::~PairStage() = default;
@@ -62,18 +60,30 @@ void PairStage::begin(std::span<const std::byte> eyes, std::uint32_t eye_count, 
     state_->choices.reserve(state_->device, 0);
     cl::Buffer& sums = state_->sums.reserve(state_->device, std::size_t(eye_count) * 6 * sizeof(float));
     state_->tabulate_segments();
+    state_->ledger.upload(state_->device, bytes_of(std::vector<std::uint32_t>(4, 0)));
     on_device(state_->device, "clearing sums", [&] { state_->device.queue.enqueueFillBuffer(sums, 0.0f, 0, std::max<std::size_t>(std::size_t(eye_count) * 6 * sizeof(float), 64)); });
 }
 
 void PairStage::gather(const PairTile& tile)
 {
-    on_device(state_->device, "adding lights", [&] {
-        cl_uint i = state_->set_common(state_->gather, tile);
-        state_->gather.setArg(i++, state_->sums.get()), state_->gather.setArg(i++, state_->ledger.get());
-        state_->launch(Timed::gather, state_->gather, tile.groups);
-        state_->device.queue.flush();
-    });
+    State& s = *state_;
+    const double work = double(s.pairs_in(tile)) * s.lanes();
+    PairTile piece = tile;
+    for (std::uint32_t done = 0; done < tile.groups; done += piece.groups) {
+        on_device(s.device, "adding lights", [&] {
+            s.harvest(false);
+            const bool known = s.budget.knows("gather");
+            piece.first_group = tile.first_group + done, piece.groups = s.budget.items("gather", tile.groups - done, work);
+            cl_uint i = s.set_common(s.gather, piece);
+            s.gather.setArg(i++, s.sums.get()), s.gather.setArg(i++, s.ledger.get());
+            s.launch(Timed::gather, s.gather, piece.groups, work);
+            s.device.queue.flush();
+            if (!known || !s.device.time_stamps) s.wait_and_count();
+        });
+    }
 }
+
+std::uint32_t PairStage::most_sampled(std::uint32_t pairs) const { return state_->budget.knows("sample") ? state_->budget.items("sample", pairs, 1) : pairs; }
 
 void PairStage::sample(int slot, const PairTile& tile)
 {
@@ -85,7 +95,8 @@ void PairStage::sample(int slot, const PairTile& tile)
     on_device(state_->device, "sampling pairs", [&] {
         cl_uint i = state_->set_common(state_->sample, tile);
         state_->sample.setArg(i++, packets), state_->sample.setArg(i++, contributions), state_->sample.setArg(i++, state_->ledger.get());
-        state_->launch(Timed::sample, state_->sample, tile.groups);
+        state_->harvest(false);
+        state_->launch(Timed::sample, state_->sample, tile.groups, double(state_->pairs_in(tile)) * state_->lanes());
         auto& queue = state_->device.queue;
         s.mapped_packets = queue.enqueueMapBuffer(packets, CL_FALSE, CL_MAP_READ | CL_MAP_WRITE, 0, packet_bytes);
         s.mapped_contributions = queue.enqueueMapBuffer(contributions, CL_FALSE, CL_MAP_READ | CL_MAP_WRITE, 0, contribution_bytes, nullptr, &s.ready);
@@ -107,11 +118,20 @@ void PairStage::accumulate(int slot)
         auto& queue = state_->device.queue;
         queue.enqueueUnmapMemObject(s.packets.get(), s.mapped_packets);
         queue.enqueueUnmapMemObject(s.contributions.get(), s.mapped_contributions);
+        s.mapped_packets = s.mapped_contributions = nullptr;
         cl::Kernel& kernel = state_->accumulate;
         kernel.setArg(0, s.tile.first_group), kernel.setArg(1, s.tile.groups), kernel.setArg(2, state_->pairs_in(s.tile));
         kernel.setArg(3, s.packets.get()), kernel.setArg(4, s.contributions.get()), kernel.setArg(5, state_->sums.get());
-        state_->launch(Timed::accumulate, kernel, s.tile.groups);
+        state_->launch(Timed::accumulate, kernel, s.tile.groups, double(state_->pairs_in(s.tile)) * state_->lanes());
         queue.flush();
+    });
+}
+
+void PairStage::wait()
+{
+    on_device(state_->device, "waiting for the device", [&] {
+        state_->device.queue.finish();
+        state_->harvest(true);
     });
 }
 
@@ -121,10 +141,13 @@ std::vector<double> PairStage::sums()
     std::vector<float> raw(std::size_t(state_->eye_count) * 6);
     std::vector<double> sums(std::size_t(state_->eye_count) * 3);
     if (raw.empty()) return sums;
+    std::array<std::uint32_t, 4> counted{};
     on_device(state_->device, "reading sums", [&] {
+        state_->device.queue.enqueueReadBuffer(state_->ledger.get(), CL_TRUE, 0, sizeof counted, counted.data());
         state_->device.queue.enqueueReadBuffer(state_->sums.get(), CL_TRUE, 0, raw.size() * sizeof(float), raw.data());
-        state_->harvest();
+        state_->harvest(true);
     });
+    state_->ledger_so_far.add(counted);
     for (std::size_t eye = 0; eye < state_->eye_count; ++eye) {
         const std::size_t group = eye / lanes, lane = eye % lanes;
         for (std::size_t c = 0; c < 3; ++c)
@@ -133,11 +156,28 @@ std::vector<double> PairStage::sums()
     return sums;
 }
 
-PairLedger PairStage::ledger() const
+PairLedger PairStage::ledger() const { return state_->ledger_so_far; }
+
+void PairStage::recover()
 {
-    std::array<std::uint32_t, 4> raw{};
-    on_device(state_->device, "reading the ledger", [&] { state_->device.queue.enqueueReadBuffer(state_->ledger.get(), CL_TRUE, 0, sizeof raw, raw.data()); });
-    return {.not_finite = raw[0], .first_eye = raw[1], .first_counter = raw[2], .floored = raw[3]};
+    State& s = *state_;
+    const auto whatever_comes = [](auto&& call) {
+        try {
+            call();
+        } catch (const cl::Error&) {  // the device has said already what is wrong
+        }
+    };
+    for (TileSlot& slot : s.slots) {
+        if (slot.mapped_packets) whatever_comes([&] { s.device.queue.enqueueUnmapMemObject(slot.packets.get(), slot.mapped_packets); });
+        if (slot.mapped_contributions) whatever_comes([&] { s.device.queue.enqueueUnmapMemObject(slot.contributions.get(), slot.mapped_contributions); });
+    }
+    whatever_comes([&] { s.device.queue.finish(); });
+    for (TileSlot& slot : s.slots) {
+        slot.mapped_packets = slot.mapped_contributions = nullptr;
+        slot.packets.release(), slot.contributions.release();
+    }
+    for (GrowingBuffer* buffer : {&s.eyes, &s.eye_tables, &s.standing, &s.blocks, &s.estimates, &s.ticks, &s.totals, &s.choices, &s.sums}) buffer->release();
+    s.launched.clear();
 }
 
 PairTimings PairStage::timings() const { return state_->timings; }

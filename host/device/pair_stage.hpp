@@ -2,6 +2,7 @@
 /// What the device does with pairs of a light and an eye: everything but visibility. Includes no OpenCL header.
 ///
 /// Eyes are groups of `lanes` neighbours; lights come in blocks of `light_block`. Whatever the tiles, every eye adds its lights in the same blocks and order.
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -57,6 +58,13 @@ struct SampledTile {
 struct PairLedger {
     std::uint32_t not_finite = 0, first_eye = 0, first_counter = 0;
     std::uint32_t floored = 0;  ///< samples of pairs so close to crossing that the floor on their distance was active (kernels/README.md, eq. 7)
+
+    /// As the device counts: how many are not finite, where the first is, how many are floored.
+    void add(const std::array<std::uint32_t, 4>& counted)
+    {
+        if (not_finite == 0) first_eye = counted[1], first_counter = counted[2];
+        not_finite += counted[0], floored += counted[3];
+    }
 };
 
 struct PairTimings {
@@ -114,17 +122,25 @@ public:
     /// What was chosen, slots per group of 16 eyes (tests, reports). Waits.
     std::vector<LightChoice> chosen() const;
 
-    /// Without occluders: adds a tile (first_light a multiple of light_block). Returns before it is done.
+    /// Without occluders: adds a tile (first_light a multiple of light_block), in as many launches as the device's bound on their time asks for. Returns before it is
+    /// done, but waits for the first launch of all, which tells how long pairs take.
     void gather(const PairTile& tile);
 
-    /// With occluders, in two slots 0 and 1: sample writes contributions and shadow segments; the host answers them between `sampled` and `accumulate`.
+    /// With occluders: so many of `pairs` may be sampled in one tile, by the time that earlier ones took.
+    std::uint32_t most_sampled(std::uint32_t pairs) const;
+    /// In two slots 0 and 1: sample writes contributions and shadow segments; the host answers them between `sampled` and `accumulate`.
     void sample(int slot, const PairTile& tile);
     SampledTile sampled(int slot);
     void accumulate(int slot);
 
+    /// Until everything that was started is done.
+    void wait();
     /// Waits; r, g, b per eye, sums over lights and samples.
     std::vector<double> sums();
+    /// Of everything whose sums were taken.
     PairLedger ledger() const;
+    /// After a ResourceError: gives back the memory that depends on how much is done at a time and forgets the set that was begun. `begin` starts again.
+    void recover();
     PairTimings timings() const;
     /// The build options of its program.
     std::string options() const;

@@ -2,10 +2,13 @@
 /// What PairStage holds; the files of host/device that implement it include this.
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <deque>
 #include <utility>
 
 #include "device/device_state.hpp"
 #include "device/kernel_source.hpp"
+#include "device/launch_budget.hpp"
 #include "device/pair_stage.hpp"
 #include "kernels/shared/host_features.hpp"
 
@@ -32,6 +35,14 @@ struct LightBuffers {
 
 enum class Timed { gather, sample, accumulate, tabulate, select };
 
+/// A launch on its way, and what it holds: pairs, or items where nothing is known of them.
+struct Launched {
+    Timed what;
+    double work;
+    cl::Event event;
+    std::chrono::steady_clock::time_point start;
+};
+
 inline constexpr std::size_t table_nodes = 65;  ///< kernels/volumes/optical_table.h
 
 inline std::uint32_t work_items(std::uint32_t groups, std::uint32_t local) { return (groups + local - 1) / local * local; }
@@ -49,7 +60,9 @@ struct PairStage::State {
     GrowingBuffer sums{CL_MEM_READ_WRITE}, ledger{CL_MEM_READ_WRITE};
     std::array<TileSlot, 2> slots;
     std::uint32_t eye_count = 0, light_count = 0, slot_count = 0, vertex_limit = 0, container_count = 0;
-    std::vector<std::pair<Timed, cl::Event>> events;
+    std::deque<Launched> launched;
+    PairLedger ledger_so_far;  ///< of the sets of eyes and lights whose sums were taken
+    LaunchBudget budget{device.launch_seconds};
     PairTimings timings;
 
     bool has_grids() const { return (program.features & feature_bit::heterogeneous) != 0; }
@@ -132,24 +145,49 @@ struct PairStage::State {
         return i;
     }
 
-    void launch(Timed what, cl::Kernel& kernel, std::uint32_t groups)
+    static const char* name_of(Timed what)
     {
-        const std::uint32_t local = what == Timed::gather || groups >= 256 ? 8 : 1;  // some drivers compile a kernel again for every local size
-        cl::Event event;
-        device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(work_items(groups, local)), cl::NDRange(local), nullptr, &event);
-        ++timings.launches;
-        if (device.time_stamps) events.emplace_back(what, event);
+        constexpr const char* names[] = {"gather", "sample", "accumulate", "tabulate", "select"};
+        return names[static_cast<std::size_t>(what)];
     }
 
-    void harvest()
+    void launch(Timed what, cl::Kernel& kernel, std::uint32_t groups, double work_per_group = 1)
     {
-        for (auto& [what, event] : events) {
-            const double seconds = 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() - event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
-            double* const sums[] = {&timings.gather, &timings.sample, &timings.accumulate, &timings.tabulate, &timings.select};
-            *sums[static_cast<std::size_t>(what)] += seconds;
-            timings.largest_launch = std::max(timings.largest_launch, seconds);
+        const std::uint32_t local = local_size(device, kernel, what == Timed::gather || groups >= 256 ? 8 : 1);  // some drivers compile a kernel again for every local size
+        cl::Event event;
+        const auto now = std::chrono::steady_clock::now();
+        device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(work_items(groups, local)), cl::NDRange(local), nullptr, &event);
+        ++timings.launches;
+        launched.push_back({what, groups * work_per_group, event, now});
+    }
+
+    /// By the device's clock; by the one on the wall, waiting included, where it has none and somebody waited for the launch.
+    void count(const Launched& l, double seconds)
+    {
+        double* const sums[] = {&timings.gather, &timings.sample, &timings.accumulate, &timings.tabulate, &timings.select};
+        *sums[static_cast<std::size_t>(l.what)] += seconds;
+        timings.largest_launch = std::max(timings.largest_launch, seconds);
+        budget.measured(name_of(l.what), l.work, seconds);
+    }
+
+    /// Counts the launches that have finished, in order; `all`: they all have.
+    void harvest(bool all)
+    {
+        while (!launched.empty() && (all || launched.front().event.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>() <= CL_COMPLETE)) {
+            const Launched& l = launched.front();
+            if (const cl_int status = l.event.getInfo<CL_EVENT_COMMAND_EXECUTION_STATUS>(); status < 0) throw cl::Error(status, name_of(l.what));
+            if (device.time_stamps)
+                count(l, 1e-9 * static_cast<double>(l.event.getProfilingInfo<CL_PROFILING_COMMAND_END>() - l.event.getProfilingInfo<CL_PROFILING_COMMAND_START>()));
+            launched.pop_front();
         }
-        events.clear();
+    }
+
+    /// Waits for the last launch, so that the next can be sized by it.
+    void wait_and_count()
+    {
+        launched.back().event.wait();
+        if (!device.time_stamps) count(launched.back(), std::chrono::duration<double>(std::chrono::steady_clock::now() - launched.back().start).count());
+        harvest(true);
     }
 };
 

@@ -27,6 +27,7 @@ void check_settings(const RenderSettings& s)
     require(s.threads >= 0 && s.threads <= 1024, "threads = " + std::to_string(s.threads) + " must lie between 0 (all) and 1024");
     require(s.max_depth.value_or(-1) >= -1, "max depth = " + std::to_string(s.max_depth.value_or(-1)) + " must be -1 (no limit) or at least 0");
     require(s.tile_pairs <= 1u << 28, "tile = " + std::to_string(s.tile_pairs) + " pairs is more than " + std::to_string(1u << 28));
+    require(s.launch_seconds >= .001 && s.launch_seconds <= 1000, "a launch must be allowed between 1 ms and 1000 s");
     require(s.samples_per_pair >= 1 && s.samples_per_pair <= 256, "samples per pair = " + std::to_string(s.samples_per_pair) + " must lie between 1 and 256");
     require(s.selected_lights <= 1u << 16, "selected lights = " + std::to_string(s.selected_lights) + " per pixel is more than " + std::to_string(1u << 16));
     require(s.candidates <= 1u << 20 || s.candidates == all_lights, "candidates = " + std::to_string(s.candidates) + " is more than " + std::to_string(1u << 20));

@@ -5,6 +5,7 @@
 #include "pipeline/memory_estimate.hpp"
 #include "tiling/eye_blocks.hpp"
 #include "transport/random_sequence.hpp"
+#include "tyndall/error.hpp"
 
 namespace tyndall {
 namespace {
@@ -33,6 +34,7 @@ EyeBatch batch_of(const std::vector<Eye>& eyes)
     return batch;
 }
 
+/// Adds what lights send to eye i.
 void add(const std::vector<double>& sums, std::size_t i, double share, Rgb& pixel) { pixel += Rgb(sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]) * share; }
 
 /// Some of the blocks: their eyes as records, and their places counted from the first of them.
@@ -68,15 +70,41 @@ std::size_t batch_end(const EyeBlocks& all, std::size_t first, std::size_t end, 
 
 }  // namespace
 
+std::optional<std::vector<double>> EyeConnector::try_pairs(const EyeBatch& eyes, const LightBatch& lights, const Visibility& visibility, ConnectCounts& counts, const LightSelection* selection)
+{
+    ConnectCounts here;
+    try {
+        std::vector<double> sums = connect_pairs(stage_, visibility, eyes, lights, settings_, here, selection);
+        counts.pairs += here.pairs, counts.shadow_segments += here.shadow_segments, counts.visibility_seconds += here.visibility_seconds;
+        return sums;
+    } catch (const ResourceError& error) {
+        const std::uint32_t pairs = settings_.tile_pairs ? settings_.tile_pairs : shadowed_pairs;
+        if (most_eyes_ <= eye_alignment && pairs <= eye_alignment * light_block) throw;
+        most_eyes_ = std::max<std::size_t>(std::min<std::size_t>(most_eyes_, eyes.count) / 2 / eye_alignment, 1) * eye_alignment;
+        settings_.tile_pairs = std::max(pairs / 2, eye_alignment * light_block);
+        ++shortages_, shortage_ = error.what();
+        stage_.recover();
+        return std::nullopt;
+    }
+}
+
+std::string EyeConnector::shortage() const
+{
+    if (shortages_ == 0) return {};
+    return "the device ran short " + std::to_string(shortages_) + " times, and did the same with less at a time, in the end " + std::to_string(most_eyes_) + " eyes and tiles of " +
+           std::to_string(settings_.tile_pairs) + " pairs; the image is not affected. The last time: " + shortage_;
+}
+
 template <typename Eye>
 void EyeConnector::connect_all(std::span<const Eye> eyes, const VirtualLights& lights, const Visibility& visibility, ConnectCounts& counts, std::vector<Rgb>& image)
 {
-    const std::size_t most = eyes_at_a_time(settings_.features);
-    for (std::size_t first = 0; first < eyes.size(); first += most) {
-        const auto chunk = eyes.subspan(first, std::min(most, eyes.size() - first));
+    for (std::size_t first = 0; first < eyes.size();) {
+        const auto chunk = eyes.subspan(first, std::min(most_eyes_, eyes.size() - first));
         const auto here = padded(chunk);
-        const std::vector<double> sums = connect_pairs(stage_, visibility, batch_of(here), {lights.records, lights.count}, settings_, counts);
-        for (std::size_t i = 0; i < chunk.size(); ++i) add(sums, i, 1. / (settings_.samples * double(selection_.camera_samples)), image[chunk[i].pixel]);
+        const auto sums = try_pairs(batch_of(here), {lights.records, lights.count}, visibility, counts, nullptr);
+        if (!sums) continue;
+        for (std::size_t i = 0; i < chunk.size(); ++i) add(*sums, i, 1. / (settings_.samples * double(selection_.camera_samples)), image[chunk[i].pixel]);
+        first += chunk.size();
     }
 }
 
@@ -107,15 +135,17 @@ template <typename Eye>
 void EyeConnector::connect_blocks(std::span<const Eye> eyes, const EyeBlocks& all, std::size_t first_block, std::size_t last_block, const LightBatch& lights, const Visibility& visibility,
                                   ConnectCounts& counts, std::vector<Rgb>& image)
 {
-    for (std::size_t first = first_block, last = 0; first < last_block; first = last) {
-        last = batch_end(all, first, last_block, eyes_at_a_time(settings_.features), lights.count);
+    for (std::size_t first = first_block; first < last_block;) {
+        const std::size_t last = batch_end(all, first, last_block, most_eyes_, lights.count);
         const BlockBatch<Eye> batch(eyes, all, first, last);
         const LightSelection selection{.standing = std::as_bytes(std::span(batch.standing)), .standing_count = static_cast<std::uint32_t>(batch.standing.size()),
                                        .blocks = batch.blocks, .slots = selection_.slots_per_sample(), .defence = static_cast<float>(selection_.defence)};
-        const std::vector<double> sums = connect_pairs(stage_, visibility, batch_of(batch.eyes), lights, settings_, counts, &selection);
+        const auto sums = try_pairs(batch_of(batch.eyes), lights, visibility, counts, &selection);
+        if (!sums) continue;
         const std::size_t start = all.blocks[first].first * std::size_t(eye_alignment);
         for (std::size_t i = 0; i < batch.eyes.size(); ++i)
-            if (all.order[start + i] != no_eye) add(sums, i, 1. / settings_.samples, image[batch.eyes[i].pixel]);
+            if (all.order[start + i] != no_eye) add(*sums, i, 1. / settings_.samples, image[batch.eyes[i].pixel]);
+        first = last;
     }
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 /// Connects the eyes of a pass with its virtual lights: with all of them, or with those that are chosen for each block of pixels.
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "eye_tracing/eye_tracing.hpp"
 #include "lights/light_technique.hpp"
 #include "light_tracing/light_tracing.hpp"
 #include "pipeline/light_selection_plan.hpp"
+#include "pipeline/memory_estimate.hpp"
 #include "pipeline/region_lights.hpp"
 #include "tiling/connect_pairs.hpp"
 #include "tiling/eye_blocks.hpp"
@@ -16,7 +19,7 @@ namespace tyndall {
 class EyeConnector {
 public:
     EyeConnector(PairStage stage, const ConnectSettings& settings, const SelectionPlan& selection, int film_width)
-        : stage_(std::move(stage)), settings_(settings), selection_(selection), film_width_(film_width)
+        : stage_(std::move(stage)), settings_(settings), selection_(selection), film_width_(film_width), most_eyes_(eyes_at_a_time(settings.features))
     {
     }
 
@@ -26,8 +29,12 @@ public:
 
     const PairStage& stage() const { return stage_; }
     const ConnectSettings& settings() const { return settings_; }
+    /// A sentence if the device ran short of memory or resources; empty: it did not.
+    std::string shortage() const;
 
 private:
+    /// Sums of a batch; none if the device ran short: from then on the connector does half as much at a time. Throws ResourceError when nothing is left to halve.
+    std::optional<std::vector<double>> try_pairs(const EyeBatch& eyes, const LightBatch& lights, const Visibility& visibility, ConnectCounts& counts, const LightSelection* selection);
     template <typename Eye>
     void connect_all(std::span<const Eye> eyes, const VirtualLights& lights, const Visibility& visibility, ConnectCounts& counts, std::vector<Rgb>& image);
     /// Eyes first ... last - 1 of the blocks' order, in batches.
@@ -42,6 +49,9 @@ private:
     ConnectSettings settings_;
     SelectionPlan selection_;
     int film_width_;
+    std::size_t most_eyes_;  ///< at a time
+    int shortages_ = 0;
+    std::string shortage_;
 };
 
 }  // namespace tyndall

@@ -57,6 +57,7 @@ PassRenderer::PassRenderer(const Scene& scene, const RenderSettings& settings, c
 void PassRenderer::prepare_lights()
 {
     device_.emplace(settings_.device);
+    device_->bound_launches(settings_.launch_seconds);
     const auto start = std::chrono::steady_clock::now();
     const auto build = [&](bool wanted, EyeKind kind) { return wanted ? make_connector(kind) : nullptr; };
     auto selftest = std::async(std::launch::async, [&] {
@@ -140,12 +141,13 @@ void PassRenderer::fill(Report& report) const
     report.grids = grid_transmittance(settings_, plan_, masks_);
     add_savings(report);
     if (!device_) return;
-    report.programs = device_->programs_built();
+    report.programs = device_->programs_built(), report.wall_clock = !device_->time_stamps();
     report.selftest = selftest_;
     if (selftest_ && !selftest_->warning.empty()) report.warnings.push_back(selftest_->warning);
     report.device = device_->info().platform + ": " + device_->info().name, report.driver = device_->info().driver;
     for (const auto* connector : {to_segments_.get(), to_points_.get()}) {
         if (!connector) continue;
+        if (std::string shortage = connector->shortage(); !shortage.empty()) report.warnings.push_back(std::move(shortage));
         const PairTimings timings = connector->stage().timings();
         const PairLedger ledger = connector->stage().ledger();
         const char* layer = connector == to_segments_.get() ? "media_to_media" : "media_to_surface";

@@ -71,6 +71,7 @@ struct Report {
     std::uint64_t light_paths = 0, virtual_lights = 0, eye_segments = 0, eye_points = 0, pairs = 0, shadow_segments = 0, launches = 0, programs = 0;
     std::string lanes_from;  ///< "rule", "calibration" (`tyndall devices --calibrate`) or "request"
     double seconds = 0, largest_launch_seconds = 0, pass_seconds = 0, before_seconds = 0;  ///< before: acceleration structures, kernels, pilot
+    bool wall_clock = false;  ///< the device has no clock: launches are timed by the one on the wall, and only those that were waited for
     double error = 0;        ///< estimated sqrt(relMSE) of the image (host/film/error_estimate.hpp); negative: unknown (one pass)
     double error_upper = 0;   ///< it is below this with a confidence of 95 %; infinite: too few passes
     double target_error = 0;  ///< that was asked for; 0: none

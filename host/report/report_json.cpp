@@ -32,6 +32,7 @@ Json timings_of(const Report& report)
             {"pass_seconds", number(report.pass_seconds)},
             {"before_seconds", number(report.before_seconds)},
             {"largest_launch_seconds", number(report.largest_launch_seconds)},
+            {"launches_timed_by", report.wall_clock ? "wall clock" : "device"},
             {"pairs_per_second", rate(report.pairs, report.seconds)},
             {"shadow_segments_per_second", rate(report.shadow_segments, report.seconds)}};
 }

@@ -27,6 +27,9 @@ void add_head(Text& table, const Report& report)
     line(table, "image", "{} x {}, {} passes, seed {}, method {}", report.width, report.height, report.passes, report.seed, report.method);
     if (!report.device.empty())
         line(table, "device", "{}, {} ({})", terminal_safe(report.device), readable_lanes(report.lanes, report.lanes_from), terminal_safe(report.driver));
+    if (report.launches)
+        line(table, "launches", "{}, the largest {}{}", count(report.launches), readable_seconds(report.largest_launch_seconds),
+             report.wall_clock ? " by the wall clock: the device has none" : "");
     if (report.selftest && report.selftest->outcome != "passed before") line(table, "selftest", "{}", report.selftest->outcome);
     line(table, "time", "{} on {} threads, {} per pass, stopped by {}", readable_seconds(report.seconds), report.threads,
          readable_seconds(report.pass_seconds), report.stopped_by);

@@ -43,7 +43,7 @@ void PairRun::run(std::uint32_t eyes)
 {
     if (scalar_) return scalar_->run(eyes);
     fused_->gather({0, std::min(eyes, eye_count_) / static_cast<std::uint32_t>(lanes_), 0, light_count_});
-    fused_->ledger();  // waits
+    fused_->wait();
 }
 
 std::uint64_t PairRun::pairs(std::uint32_t eyes) const { return std::uint64_t(std::min(eyes, eye_count_)) * light_count_; }

@@ -12,17 +12,19 @@
 namespace tyndall {
 namespace {
 
-constexpr std::uint32_t fused_pairs = 4u << 20;   ///< per launch: 20-100 ms on a CPU device
+constexpr std::uint32_t fused_pairs = 4u << 20;  ///< per tile; the stage cuts it into launches
+constexpr std::uint32_t longest_row = 1024;      ///< lights times samples that one work-item of a fused tile goes through, unless a block has more
 
 /// Tiles in the order in which they are summed: blocks of lights in order, for each block all eyes.
-std::vector<PairTile> tiles_of(std::uint32_t groups, std::uint32_t lights, const ConnectSettings& settings)
+std::vector<PairTile> tiles_of(std::uint32_t groups, std::uint32_t lights, std::uint32_t pairs_per_tile, const ConnectSettings& settings)
 {
     const bool fused = (settings.features & feature_bit::occluders) == 0;
     const std::uint32_t lanes = static_cast<std::uint32_t>(settings.lanes), aligned = eye_alignment / lanes;
-    const std::uint32_t wanted = std::max(settings.tile_pairs ? settings.tile_pairs : fused ? fused_pairs : shadowed_pairs, 1u) / settings.samples;
+    const std::uint32_t wanted = pairs_per_tile / settings.samples;
     const std::uint32_t most_eyes = fused ? 1u << 14 : shadowed_tile_eyes(wanted, lights);
     const std::uint32_t tile_groups = std::max(std::min(groups, most_eyes / lanes) / aligned * aligned, aligned);
-    const std::uint32_t tile_lights = fused ? std::max(wanted / (tile_groups * lanes) / light_block, 1u) * light_block : light_block;
+    const std::uint32_t row = std::min(wanted / (tile_groups * lanes), longest_row / settings.samples);
+    const std::uint32_t tile_lights = fused ? std::max(row / light_block, 1u) * light_block : light_block;
     std::vector<PairTile> tiles;
     for (std::uint32_t light = 0; light < lights; light += tile_lights)
         for (std::uint32_t group = 0; group < groups; group += tile_groups)
@@ -73,9 +75,11 @@ std::vector<double> connect_pairs(PairStage& stage, const Visibility& visibility
     stage.begin(eyes.records, eyes.count, lights.records, settings.vertex_limit, lights.weights);
     if (selection) stage.select(*selection);
     const std::uint32_t slots = selection && lights.count > 0 ? selection->slots : lights.count;
-    const std::vector<PairTile> tiles = tiles_of(stage.groups(), slots, settings);
+    const bool fused = (settings.features & feature_bit::occluders) == 0;
+    const std::uint32_t wanted = std::max(settings.tile_pairs ? settings.tile_pairs : fused ? fused_pairs : shadowed_pairs, 1u);
+    const std::vector<PairTile> tiles = tiles_of(stage.groups(), slots, fused ? wanted : stage.most_sampled(wanted), settings);
     counts.pairs += std::uint64_t(eyes.count) * slots * settings.samples;
-    if ((settings.features & feature_bit::occluders) == 0) {
+    if (fused) {
         for (const PairTile& tile : tiles) stage.gather(tile);
         return stage.sums();
     }

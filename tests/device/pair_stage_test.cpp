@@ -122,6 +122,21 @@ TEST_P(AtEveryLaneWidth, TilesNeverChangeAByte)
     }
 }
 
+TEST_P(AtEveryLaneWidth, BoundsOnLaunchesNeverChangeAByte)
+{
+    const auto pairs = random_pairs({.eyes = 1024, .lights = 700, .g = .3});
+    PairStage stage(device(), program(EyeKind::segments, feature_bit::anisotropic, GetParam()), pairs.tables);
+    const std::vector<double> whole = gathered(stage, pairs, EyeKind::segments, 1024, 1024);
+    device().bound_launches(.001);
+    PairStage bounded(device(), program(EyeKind::segments, feature_bit::anisotropic, GetParam()), pairs.tables);
+    device().bound_launches(.1);
+    EXPECT_EQ(gathered(bounded, pairs, EyeKind::segments, 1024, 1024), whole);
+    // 717 K pairs take 7 ms in the fastest of widths on one core, two take half: the first launch is a third of them, the others aim at half a millisecond.
+    EXPECT_GE(bounded.timings().launches, 4u);
+    EXPECT_GT(bounded.timings().largest_launch, 0);
+    EXPECT_EQ(gathered(bounded, pairs, EyeKind::segments, 1024, 1024), whole) << "with what it has learnt";
+}
+
 TEST_P(AtEveryLaneWidth, SamplingAndAccumulatingEqualsGathering)
 {
     const std::uint32_t row = 16u / static_cast<std::uint32_t>(GetParam());

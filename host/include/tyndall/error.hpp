@@ -25,6 +25,10 @@ struct NoDeviceError : Error {
 struct DeviceError : Error {
     using Error::Error;
 };
+/// It lacks memory or other resources for what was asked at once: less at a time may do. Exit code 5.
+struct ResourceError : DeviceError {
+    using DeviceError::DeviceError;
+};
 /// A kernel did not compile; the message holds device, options and log. Exit code 5.
 struct BuildError : DeviceError {
     using DeviceError::DeviceError;

@@ -87,6 +87,7 @@ struct RenderSettings {
     int lanes = 0;                     ///< 1, 4, 8, 16; 0: chosen by fixed rule from the device
     bool lanes_calibrated = false;     ///< `lanes` were measured for the device before, not asked for; for the report alone
     std::uint32_t tile_pairs = 0;      ///< pairs per tile; 0: default. Never changes a byte
+    double launch_seconds = .1;        ///< a device's launches are kept below, as far as earlier ones can tell. Never changes a byte
     int samples_per_pair = 1;
     Selection selection = Selection::automatic;
     std::uint32_t selected_lights = 0; ///< per pixel and pass; 0: by rule

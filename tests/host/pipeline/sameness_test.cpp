@@ -41,6 +41,15 @@ TEST_P(Sameness, TheSizeOfATileChangesNoByte)
     }
 }
 
+TEST_P(Sameness, TheBoundOnLaunchesChangesNoByte)
+{
+    RenderSettings other = settings;
+    other.launch_seconds = .001;
+    const WholeRender r = render_whole(scene, other);
+    expect_same_bytes(r.film(), original.film());
+    EXPECT_GT(r.report().largest_launch_seconds, 0);
+}
+
 TEST_P(Sameness, TheNumberOfThreadsChangesNoByte)
 {
     for (const int threads : {1, 2}) {
