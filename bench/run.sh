@@ -3,7 +3,7 @@
 #   bash bench/run.sh [OUT]          OUT: bench/results unless given
 #   BUILD=folder bash bench/run.sh   takes the programs of that build folder instead of building
 #   REPETITIONS=3 bash bench/run.sh  quicker; 7 unless given
-#   ONLY="pairs render" ...          renews only these results: pairs transmittance shadow_1_core shadow_2_cores build render variance effects selection scaling cold_start prediction
+#   ONLY="pairs render" ...          renews only these results: pairs transmittance shadow_1_core shadow_2_cores build render variance effects selection scaling cold_start prediction roofline
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
 out=${1:-$repository_root/bench/results}
@@ -12,7 +12,7 @@ raw=$(mktemp -d)
 trap 'rm -rf "$raw"' EXIT
 
 if [[ -z ${BUILD:-} ]]; then
-  install_packages "${build_packages[@]}" libbenchmark-dev python3
+  install_packages "${build_packages[@]}" libbenchmark-dev python3 binutils
   build_release all -DTYNDALL_BENCH=ON
 fi
 build=${BUILD:-$build_folder}
@@ -39,6 +39,13 @@ if wanted render; then
   python3 -B "$repository_root/bench/render.py" "$build/tyndall" "$repository_root/scenes/fruit_juice/scene.xml" "$repetitions" >"$raw/render.json"
 fi
 python3 -B "$repository_root/bench/summarise.py" "$raw" "$out"
+if wanted roofline; then
+  say "counting instructions, which takes minutes"
+  "$build/bench/roofline_count" >"$raw/counts.roofline"
+  "$build/bench/roofline_peaks" >"$raw/peaks.roofline"
+  "$build/tyndall" bench --lanes 16 --json >"$raw/bench.roofline"
+  python3 -B "$repository_root/bench/roofline/roofline.py" "$raw/counts.roofline" "$raw/bench.roofline" "$raw/peaks.roofline" "$out/roofline"
+fi
 if wanted variance; then
   say "measuring variance"
   "$build/bench/variance" 300 400 >"$raw/variance.json"
