@@ -61,7 +61,14 @@ void PairStage::begin(std::span<const std::byte> eyes, std::uint32_t eye_count, 
     cl::Buffer& sums = state_->sums.reserve(state_->device, std::size_t(eye_count) * 6 * sizeof(float));
     state_->tabulate_segments();
     state_->ledger.upload(state_->device, bytes_of(std::vector<std::uint32_t>(4, 0)));
-    on_device(state_->device, "clearing sums", [&] { state_->device.queue.enqueueFillBuffer(sums, 0.0f, 0, std::max<std::size_t>(std::size_t(eye_count) * 6 * sizeof(float), 64)); });
+    const std::size_t bytes = std::max<std::size_t>(std::size_t(eye_count) * sizeof(float), 64);
+    cl::Buffer &worst = state_->worst.reserve(state_->device, bytes), &counters = state_->worst_counters.reserve(state_->device, bytes);
+    state_->worst_pair = {};
+    on_device(state_->device, "clearing sums", [&] {
+        state_->device.queue.enqueueFillBuffer(sums, 0.0f, 0, std::max<std::size_t>(std::size_t(eye_count) * 6 * sizeof(float), 64));
+        state_->device.queue.enqueueFillBuffer(worst, 0.0f, 0, bytes);
+        state_->device.queue.enqueueFillBuffer(counters, 0u, 0, bytes);
+    });
 }
 
 void PairStage::gather(const PairTile& tile)
@@ -76,6 +83,7 @@ void PairStage::gather(const PairTile& tile)
             piece.first_group = tile.first_group + done, piece.groups = s.budget.items("gather", tile.groups - done, work);
             cl_uint i = s.set_common(s.gather, piece);
             s.gather.setArg(i++, s.sums.get()), s.gather.setArg(i++, s.ledger.get());
+            s.gather.setArg(i++, s.worst.get()), s.gather.setArg(i++, s.worst_counters.get());
             s.launch(Timed::gather, s.gather, piece.groups, work);
             s.device.queue.flush();
             if (!known || !s.device.time_stamps) s.wait_and_count();
@@ -120,8 +128,10 @@ void PairStage::accumulate(int slot)
         queue.enqueueUnmapMemObject(s.contributions.get(), s.mapped_contributions);
         s.mapped_packets = s.mapped_contributions = nullptr;
         cl::Kernel& kernel = state_->accumulate;
-        kernel.setArg(0, s.tile.first_group), kernel.setArg(1, s.tile.groups), kernel.setArg(2, state_->pairs_in(s.tile));
-        kernel.setArg(3, s.packets.get()), kernel.setArg(4, s.contributions.get()), kernel.setArg(5, state_->sums.get());
+        cl_uint i = 0;
+        kernel.setArg(i++, s.tile.first_group), kernel.setArg(i++, s.tile.groups), kernel.setArg(i++, s.tile.first_light * state_->program.samples);
+        kernel.setArg(i++, state_->pairs_in(s.tile)), kernel.setArg(i++, s.packets.get()), kernel.setArg(i++, s.contributions.get());
+        kernel.setArg(i++, state_->sums.get()), kernel.setArg(i++, state_->worst.get()), kernel.setArg(i++, state_->worst_counters.get());
         state_->launch(Timed::accumulate, kernel, s.tile.groups, double(state_->pairs_in(s.tile)) * state_->lanes());
         queue.flush();
     });
@@ -142,12 +152,18 @@ std::vector<double> PairStage::sums()
     std::vector<double> sums(std::size_t(state_->eye_count) * 3);
     if (raw.empty()) return sums;
     std::array<std::uint32_t, 4> counted{};
+    std::vector<float> worst(state_->eye_count);
+    std::vector<std::uint32_t> counters(state_->eye_count);
     on_device(state_->device, "reading sums", [&] {
+        state_->device.queue.enqueueReadBuffer(state_->worst.get(), CL_TRUE, 0, worst.size() * sizeof(float), worst.data());
+        state_->device.queue.enqueueReadBuffer(state_->worst_counters.get(), CL_TRUE, 0, counters.size() * sizeof(std::uint32_t), counters.data());
         state_->device.queue.enqueueReadBuffer(state_->ledger.get(), CL_TRUE, 0, sizeof counted, counted.data());
         state_->device.queue.enqueueReadBuffer(state_->sums.get(), CL_TRUE, 0, raw.size() * sizeof(float), raw.data());
         state_->harvest(true);
     });
     state_->ledger_so_far.add(counted);
+    const auto eye_of_worst = static_cast<std::uint32_t>(std::max_element(worst.begin(), worst.end()) - worst.begin());
+    state_->worst_pair = {.eye = eye_of_worst, .slot = counters[eye_of_worst] / state_->program.samples, .value = double(worst[eye_of_worst])};
     for (std::size_t eye = 0; eye < state_->eye_count; ++eye) {
         const std::size_t group = eye / lanes, lane = eye % lanes;
         for (std::size_t c = 0; c < 3; ++c)
@@ -157,6 +173,7 @@ std::vector<double> PairStage::sums()
 }
 
 PairLedger PairStage::ledger() const { return state_->ledger_so_far; }
+WorstPair PairStage::worst() const { return state_->worst_pair; }
 
 void PairStage::recover()
 {
@@ -176,7 +193,7 @@ void PairStage::recover()
         slot.mapped_packets = slot.mapped_contributions = nullptr;
         slot.packets.release(), slot.contributions.release();
     }
-    for (GrowingBuffer* buffer : {&s.eyes, &s.eye_tables, &s.standing, &s.blocks, &s.estimates, &s.ticks, &s.totals, &s.choices, &s.sums}) buffer->release();
+    for (GrowingBuffer* buffer : {&s.eyes, &s.eye_tables, &s.standing, &s.blocks, &s.estimates, &s.ticks, &s.totals, &s.choices, &s.sums, &s.worst, &s.worst_counters}) buffer->release();
     s.launched.clear();
 }
 

@@ -67,6 +67,12 @@ struct PairLedger {
     }
 };
 
+/// The pair that added most to its eye, as the sum of its channels; the same for every tile size.
+struct WorstPair {
+    std::uint32_t eye = 0, slot = 0;  ///< slot: the light's number, or its place among the eye's chosen lights
+    double value = 0;
+};
+
 struct PairTimings {
     double gather = 0, sample = 0, accumulate = 0, tabulate = 0, select = 0, largest_launch = 0;  ///< seconds on the device
     std::uint64_t launches = 0;
@@ -137,6 +143,8 @@ public:
     void wait();
     /// Waits; r, g, b per eye, sums over lights and samples.
     std::vector<double> sums();
+    /// Of the set whose sums were taken last.
+    WorstPair worst() const;
     /// Of everything whose sums were taken.
     PairLedger ledger() const;
     /// After a ResourceError: gives back the memory that depends on how much is done at a time and forgets the set that was begun. `begin` starts again.

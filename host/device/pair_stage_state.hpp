@@ -57,10 +57,11 @@ struct PairStage::State {
     GrowingBuffer eye_tables{CL_MEM_READ_WRITE};
     GrowingBuffer standing{CL_MEM_READ_ONLY}, blocks{CL_MEM_READ_ONLY}, estimates{CL_MEM_READ_WRITE}, powers{CL_MEM_READ_WRITE}, ticks{CL_MEM_READ_WRITE}, totals{CL_MEM_READ_WRITE}, choices{CL_MEM_READ_WRITE};
     GrowingBuffer pooled{CL_MEM_READ_WRITE}, pooled_total{CL_MEM_READ_WRITE}, drawn{CL_MEM_READ_WRITE};
-    GrowingBuffer sums{CL_MEM_READ_WRITE}, ledger{CL_MEM_READ_WRITE};
+    GrowingBuffer sums{CL_MEM_READ_WRITE}, ledger{CL_MEM_READ_WRITE}, worst{CL_MEM_READ_WRITE}, worst_counters{CL_MEM_READ_WRITE};
     std::array<TileSlot, 2> slots;
     std::uint32_t eye_count = 0, light_count = 0, slot_count = 0, vertex_limit = 0, container_count = 0;
     std::deque<Launched> launched;
+    WorstPair worst_pair;      ///< of the set whose sums were taken last
     PairLedger ledger_so_far;  ///< of the sets of eyes and lights whose sums were taken
     LaunchBudget budget{device.launch_seconds};
     PairTimings timings;

@@ -96,6 +96,13 @@ std::string EyeConnector::shortage() const
 }
 
 template <typename Eye>
+void EyeConnector::note_worst(std::span<const Eye> eyes, double share)
+{
+    const WorstPair pair = stage_.worst();
+    if (pair.eye < eyes.size() && pair.value * share > worst_.radiance) worst_ = {eyes[pair.eye].pixel, pair.value * share};
+}
+
+template <typename Eye>
 void EyeConnector::connect_all(std::span<const Eye> eyes, const VirtualLights& lights, const Visibility& visibility, ConnectCounts& counts, std::vector<Rgb>& image)
 {
     for (std::size_t first = 0; first < eyes.size();) {
@@ -103,7 +110,9 @@ void EyeConnector::connect_all(std::span<const Eye> eyes, const VirtualLights& l
         const auto here = padded(chunk);
         const auto sums = try_pairs(batch_of(here), {lights.records, lights.count}, visibility, counts, nullptr);
         if (!sums) continue;
-        for (std::size_t i = 0; i < chunk.size(); ++i) add(*sums, i, 1. / (settings_.samples * double(selection_.camera_samples)), image[chunk[i].pixel]);
+        const double share = 1. / (settings_.samples * double(selection_.camera_samples));
+        for (std::size_t i = 0; i < chunk.size(); ++i) add(*sums, i, share, image[chunk[i].pixel]);
+        note_worst(chunk, share);
         first += chunk.size();
     }
 }
@@ -145,6 +154,7 @@ void EyeConnector::connect_blocks(std::span<const Eye> eyes, const EyeBlocks& al
         const std::size_t start = all.blocks[first].first * std::size_t(eye_alignment);
         for (std::size_t i = 0; i < batch.eyes.size(); ++i)
             if (all.order[start + i] != no_eye) add(*sums, i, 1. / settings_.samples, image[batch.eyes[i].pixel]);
+        note_worst(std::span<const Eye>(batch.eyes), 1. / settings_.samples);
         first = last;
     }
 }
@@ -152,6 +162,7 @@ void EyeConnector::connect_blocks(std::span<const Eye> eyes, const EyeBlocks& al
 void EyeConnector::connect(const EyeRecords& eyes, EyeKind kind, const VirtualLights& lights, const Visibility& visibility, std::uint64_t key, ConnectCounts& counts,
                            std::vector<Rgb>& image)
 {
+    worst_ = {};
     const std::span<const EyeSegment> segments = eyes.segments;
     const std::span<const EyePoint> points = eyes.points;
     if (!selection_.chosen) return kind == EyeKind::segments ? connect_all(segments, lights, visibility, counts, image) : connect_all(points, lights, visibility, counts, image);

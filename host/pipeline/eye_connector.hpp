@@ -27,6 +27,13 @@ public:
     void connect(const EyeRecords& eyes, EyeKind kind, const VirtualLights& lights, const Visibility& visibility, std::uint64_t key, ConnectCounts& counts,
                  std::vector<Rgb>& image);
 
+    /// The pair that added most to a pixel in the last `connect`, in units of that pixel's radiance in the pass (sum of channels).
+    struct Worst {
+        std::uint32_t pixel = 0;
+        double radiance = 0;
+    };
+    const Worst& worst() const { return worst_; }
+
     const PairStage& stage() const { return stage_; }
     const ConnectSettings& settings() const { return settings_; }
     /// A sentence if the device ran short of memory or resources; empty: it did not.
@@ -35,6 +42,8 @@ public:
 private:
     /// Sums of a batch; none if the device ran short: from then on the connector does half as much at a time. Throws ResourceError when nothing is left to halve.
     std::optional<std::vector<double>> try_pairs(const EyeBatch& eyes, const LightBatch& lights, const Visibility& visibility, ConnectCounts& counts, const LightSelection* selection);
+    template <typename Eye>
+    void note_worst(std::span<const Eye> eyes, double share);
     template <typename Eye>
     void connect_all(std::span<const Eye> eyes, const VirtualLights& lights, const Visibility& visibility, ConnectCounts& counts, std::vector<Rgb>& image);
     /// Eyes first ... last - 1 of the blocks' order, in batches.
@@ -52,6 +61,7 @@ private:
     std::size_t most_eyes_;  ///< at a time
     int shortages_ = 0;
     std::string shortage_;
+    Worst worst_;
 };
 
 }  // namespace tyndall

@@ -94,8 +94,21 @@ void PassRenderer::add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes
     });
     const std::uint64_t key = mix_bits(mix_bits(settings_.seed) + pass);
     virtual_lights_ += lights.count, eye_segments_ += eyes.segments.size(), eye_points_ += eyes.points.size();
-    if (to_segments_) clock_.time("media_to_media", [&] { to_segments_->connect(eyes, EyeKind::segments, lights, visibility_, key, counts_, image[Layer::media_to_media]); });
-    if (to_points_) clock_.time("media_to_surface", [&] { to_points_->connect(eyes, EyeKind::points, lights, visibility_, key, counts_, image[Layer::media_to_surface]); });
+    const auto connect = [&](EyeConnector* connector, EyeKind kind, Layer layer) {
+        if (!connector) return;
+        clock_.time(std::string(name(layer)), [&] { connector->connect(eyes, kind, lights, visibility_, key, counts_, image[layer]); });
+        note_worst_pair(connector->worst(), pass, layer, image);
+    };
+    connect(to_segments_.get(), EyeKind::segments, Layer::media_to_media);
+    connect(to_points_.get(), EyeKind::points, Layer::media_to_surface);
+}
+
+void PassRenderer::note_worst_pair(const EyeConnector::Worst& worst, std::uint64_t pass, Layer layer, PassImage& image)
+{
+    const double radiance = worst.radiance / 3;
+    if (!(radiance > worst_pair_.radiance)) return;
+    const int width = scene_.camera.crop_width, pixel = static_cast<int>(worst.pixel);
+    worst_pair_ = {std::string(name(layer)), pass, pixel % width, pixel / width, radiance, worst.radiance / sum(image[layer][worst.pixel])};
 }
 
 void PassRenderer::add_host_layers(std::uint64_t pass, PassImage& image)
@@ -134,6 +147,7 @@ void PassRenderer::fill(Report& report) const
     report.eye_segments = eye_segments_, report.eye_points = eye_points_;
     report.pairs = counts_.pairs, report.shadow_segments = counts_.shadow_segments;
     report.stages = clock_.stages();
+    report.ledger.worst_pair = worst_pair_;
     report.ledger.runaway_walks = visibility_.runaway_walks();
     report.ledger.unsafe_shadow_segments = visibility_.invalid_rays();
     report.effects = effect_reports(features_);

@@ -51,6 +51,7 @@ private:
     std::unique_ptr<EyeConnector> make_connector(EyeKind kind);
     void add_savings(Report& report) const;
     void add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image);
+    void note_worst_pair(const EyeConnector::Worst& worst, std::uint64_t pass, Layer layer, PassImage& image);
     void add_host_layers(std::uint64_t pass, PassImage& image);
 
     const Scene& scene_;
@@ -66,6 +67,7 @@ private:
     std::uint64_t light_paths_ = 0;
     StageClock clock_;
     ConnectCounts counts_;
+    WorstPairReport worst_pair_;
     std::uint64_t virtual_lights_ = 0, eye_segments_ = 0, eye_points_ = 0;
 };
 

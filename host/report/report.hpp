@@ -47,11 +47,21 @@ struct Prediction {
     double pass_seconds = 0; ///< each
 };
 
+/// The pair of a light and an eye that added most to a pixel: nothing is clamped, so this says how much one pair can be worth.
+struct WorstPairReport {
+    std::string layer;             ///< empty: no pair added anything
+    std::uint64_t pass = 0;
+    int x = 0, y = 0;              ///< pixel of the window that was rendered
+    double radiance = 0;           ///< that it added in that pass, mean of the channels
+    double share_of_pixel = 0;     ///< of what the layer has there in that pass
+};
+
 struct NumericsLedger {
     std::uint64_t not_finite_pairs = 0, runaway_walks = 0;
     std::uint64_t unsafe_shadow_segments = 0;  ///< rays and shadow segments that were not finite (Visibility::invalid_rays)
     std::uint64_t floored_pairs = 0;           ///< samples under the floor on the distance of light and eye line (kernels/README.md, eq. 7)
     std::vector<std::string> first_cases;  ///< a few, with pixel and light, for the ones above
+    WorstPairReport worst_pair;
     std::uint64_t not_finite_pixels = 0;   ///< per pass and layer, from the film; they count as 0
 };
 

@@ -100,6 +100,12 @@ Json prediction_of(const Report& report)
             {"error", p.error < 0 ? Json(nullptr) : number(p.error)}};
 }
 
+Json worst_pair_of(const WorstPairReport& worst)
+{
+    if (worst.layer.empty()) return nullptr;
+    return {{"layer", worst.layer}, {"pass", worst.pass}, {"x", worst.x}, {"y", worst.y}, {"radiance", worst.radiance}, {"share_of_pixel", worst.share_of_pixel}};
+}
+
 Json numerics_of(const NumericsLedger& ledger)
 {
     return {{"not_finite_pixels", ledger.not_finite_pixels},
@@ -107,6 +113,7 @@ Json numerics_of(const NumericsLedger& ledger)
             {"unsafe_shadow_segments", ledger.unsafe_shadow_segments},
             {"floored_pairs", ledger.floored_pairs},
             {"runaway_walks", ledger.runaway_walks},
+            {"worst_pair", worst_pair_of(ledger.worst_pair)},
             {"first_cases", ledger.first_cases}};
 }
 

@@ -107,6 +107,9 @@ void add_ledger(Text& table, const NumericsLedger& ledger)
     add("rays or shadow segments were not finite and met nothing or counted as blocked", ledger.unsafe_shadow_segments);
     add("pairs all but crossed: the floor on their distance was active, which adds variance and no bias", ledger.floored_pairs);
     add("walks were ended because they crossed too many surfaces", ledger.runaway_walks);
+    if (const WorstPairReport& worst = ledger.worst_pair; !worst.layer.empty())
+        fmt::format_to(std::back_inserter(table), "  largest pair: radiance {:.4g} in {}, pass {}, pixel ({}, {}), {:.0f} % of what that pixel got there in that pass\n", worst.radiance,
+                       worst.layer, worst.pass, worst.x, worst.y, 100 * worst.share_of_pixel);
     for (const auto& first : ledger.first_cases) fmt::format_to(std::back_inserter(table), "    {}\n", terminal_safe(first));
 }
 

@@ -1,19 +1,23 @@
 // Adds what was visible of a tile that sample_pairs wrote and the host answered: one block of lights for LANES neighbouring eyes.
 #include "kernels/stages/pair_stage.h"
 
-__kernel void accumulate_pairs(uint first_group, uint groups, uint pairs, __global const ShadowPacket* packets, __global const float* contributions,
-                               __global float* sums)
+__kernel void accumulate_pairs(uint first_group, uint groups, uint first_pair, uint pairs, __global const ShadowPacket* packets, __global const float* contributions,
+                               __global float* sums, __global float* worst, __global uint* worst_counters)
 {
     uint local_group = get_global_id(0);
     if (local_group >= groups) return;
     uint packet_row = local_group * LANES / SHADOW_PACKET_SIZE * pairs, offset = local_group * LANES % SHADOW_PACKET_SIZE;
     real3 partial = make_real3(R(0.0), R(0.0), R(0.0)), zero = partial;
+    Worst largest = no_worst();
     for (uint pair = 0; pair < pairs; ++pair) {
         __global const float* contribution = contributions + (local_group * pairs + pair) * 3u * LANES;
         real3 radiance = make_real3(load_lanes(contribution, 0), load_lanes(contribution, 1), load_lanes(contribution, 2));
         mask visible = load_lanes(packets[packet_row + pair].tfar + offset, 0) >= R(-1.0);   // blocked: -infinity; not asked: -1
-        partial = add3(partial, select3(zero, radiance, visible));
+        radiance = select3(zero, radiance, visible);
+        largest = worse(largest, radiance, (bits)(first_pair + pair));
+        partial = add3(partial, radiance);
     }
     uint group = first_group + local_group;
     store_sums(add_block(load_sums(sums, group), partial), sums, group);
+    keep_worst(largest, group, worst, worst_counters);
 }

@@ -89,6 +89,29 @@ PURE real3 counted_radiance(Eye eye, const EyeGroup* around, __global const Ligh
     return c.radiance;
 }
 
+/// The largest contribution to each eye so far, as the sum of its channels, and the counter of its pair. It changes no sum: what one pair is worth is told, not cut.
+typedef struct { real value; bits counter; } Worst;
+PURE Worst no_worst(void)
+{
+    Worst w = {R(0.0), (bits)(0u)};
+    return w;
+}
+PURE Worst worse(Worst w, real3 radiance, bits counter)
+{
+    real value = radiance.x + radiance.y + radiance.z;
+    mask larger = value > w.value;
+    Worst r = {select(w.value, value, larger), select_bits(w.counter, counter, larger)};
+    return r;
+}
+PURE void keep_worst(Worst w, uint group, __global float* worst, __global uint* worst_counters)
+{
+    real before = load_lanes(worst, group);
+    mask larger = w.value > before;
+    if (!any_lane(larger)) return;
+    store_lanes(select(before, w.value, larger), group, worst);
+    store_bits(select_bits(load_bits(worst_counters, group), w.counter, larger), group, worst_counters);
+}
+
 /// Running sums of one group: for c = r, g, b the lanes of `high`, then of `low`.
 typedef struct { LongSum r, g, b; } LongSum3;
 PURE LongSum3 load_sums(__global const float* sums, uint group)

@@ -3,7 +3,7 @@
 
 __kernel void gather_lights(__global const EyeRecord* eyes, uint first_group, uint groups, __global const Light* lights, uint first, uint count,
                             uint samples, uint vertex_limit, SURROUNDINGS_PARAMETERS, TABLES_PARAMETERS, __global const LightChoice* choices, uint slots,
-                            __global float* sums, __global uint* ledger)
+                            __global float* sums, __global uint* ledger, __global float* worst, __global uint* worst_counters)
 {
     if (get_global_id(0) >= groups) return;
     uint group = first_group + get_global_id(0);
@@ -12,6 +12,7 @@ __kernel void gather_lights(__global const EyeRecord* eyes, uint first_group, ui
     EyeGroup around;
     find_group(&around, s, eye, eyes, group, choices, slots);
     LongSum3 sum = load_sums(sums, group);
+    Worst largest = no_worst();
     for (uint block = first; block < first + count; block += LIGHT_BLOCK) {
         real3 partial = make_real3(R(0.0), R(0.0), R(0.0));
         uint end = min(block + LIGHT_BLOCK, first + count) * samples;
@@ -21,10 +22,14 @@ __kernel void gather_lights(__global const EyeRecord* eyes, uint first_group, ui
             uint batch = min((uint)PAIR_BATCH, end - pair);
             place_pairs(places, eye, &around, lights, s, pair, batch, samples);
             connect_pairs(connections, eye, &around, lights, s, places, pair, batch, samples);
-            for (uint i = 0; i < batch; ++i)
-                partial = add3(partial, counted_radiance(eye, &around, lights, connections[i], samples, vertex_limit, pair + i, ledger));
+            for (uint i = 0; i < batch; ++i) {
+                real3 radiance = counted_radiance(eye, &around, lights, connections[i], samples, vertex_limit, pair + i, ledger);
+                largest = worse(largest, radiance, (bits)(pair + i));
+                partial = add3(partial, radiance);
+            }
         }
         sum = add_block(sum, partial);
     }
     store_sums(sum, sums, group);
+    keep_worst(largest, group, worst, worst_counters);
 }

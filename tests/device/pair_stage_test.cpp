@@ -162,6 +162,44 @@ TEST(PairStage, WidthsFourEightAndSixteenAgreeToAMillionth)
     }
 }
 
+// The largest contribution that the host sees among those that sampling wrote is the one that both ways of adding report, whatever the tiles.
+TEST_P(AtEveryLaneWidth, TheLargestPairIsFound)
+{
+    const auto lanes = static_cast<std::uint32_t>(GetParam()), row = 16u / lanes;
+    const auto pairs = random_pairs({.eyes = 48, .lights = 300, .coloured = true});
+    PairStage fused(device(), program(EyeKind::segments, feature_bit::coloured, GetParam()), pairs.tables);
+    PairStage split(device(), program(EyeKind::segments, feature_bit::coloured | feature_bit::occluders, GetParam()), pairs.tables);
+    split.begin(std::as_bytes(std::span(pairs.segments)), 48, pairs.lights, 0xffffffffu);
+    WorstPair expected;
+    for (const auto& [first, count] : {std::pair(0u, 256u), std::pair(256u, 44u)}) {
+        split.sample(0, {0, 48 / lanes, first, count});
+        const auto contributions = split.sampled(0).contributions;
+        for (std::uint32_t group = 0; group < 48 / lanes; ++group)
+            for (std::uint32_t pair = 0; pair < count; ++pair)
+                for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+                    const float* c = &contributions[(std::size_t(group) * count + pair) * 3 * lanes + lane];
+                    const double value = double(c[0] + c[lanes] + c[2 * lanes]);
+                    if (value > expected.value) expected = {group * lanes + lane, first + pair, value};
+                }
+        split.accumulate(0);
+    }
+    const auto expect_it = [&](const WorstPair& worst) {
+        EXPECT_EQ(worst.eye, expected.eye);
+        EXPECT_EQ(worst.slot, expected.slot);
+        EXPECT_EQ(worst.value, expected.value);
+    };
+    split.sums();
+    expect_it(split.worst());
+    for (const std::uint32_t tile_groups : {row, 1000u}) {
+        gathered(fused, pairs, EyeKind::segments, tile_groups, 256);
+        expect_it(fused.worst());
+        sampled_and_accumulated(split, pairs, EyeKind::segments, std::min(tile_groups, 48 / lanes));
+        expect_it(split.worst());
+    }
+    fused.begin(std::as_bytes(std::span(pairs.segments)), 48, {}, 0xffffffffu);
+    EXPECT_EQ(fused.worst().value, 0) << "forgotten with the next set of eyes";
+}
+
 TEST_P(AtEveryLaneWidth, ABlockedSegmentAddsNothing)
 {
     const auto pairs = random_pairs({.eyes = 16, .lights = 40});

@@ -45,7 +45,7 @@ TEST(ReportJson, HasTheKeysOfItsSchema)
     for (const auto* key : {"light_paths", "virtual_lights", "eye_segments", "eye_points", "pairs", "shadow_segments", "launches"})
         EXPECT_TRUE(report.at("counts").at(key).is_number_unsigned()) << key;
     for (const auto* key :
-         {"not_finite_pixels", "not_finite_pairs", "unsafe_shadow_segments", "floored_pairs", "runaway_walks", "first_cases"})
+         {"not_finite_pixels", "not_finite_pairs", "unsafe_shadow_segments", "floored_pairs", "runaway_walks", "worst_pair", "first_cases"})
         EXPECT_TRUE(report.at("numerics").contains(key)) << key;
 }
 
