@@ -12,7 +12,7 @@ std::string take_calibrated_lanes(RenderSettings& settings)
 {
     if (settings.lanes != 0 || settings.method == Method::path) return {};
     try {
-        const StoredLanes stored = stored_lanes(choose_device(settings.device));
+        const StoredLanes stored = stored_lanes(choose_devices(settings.device).front());
         settings.lanes = stored.lanes, settings.lanes_calibrated = stored.lanes != 0;
         return stored.warning;
     } catch (const NoDeviceError&) {

@@ -17,7 +17,7 @@ std::optional<DeviceInfo> device_for(const RenderSettings& settings, std::string
 {
     if (settings.method == Method::path) return std::nullopt;
     try {
-        return choose_device(settings.device);
+        return choose_devices(settings.device).front();
     } catch (const NoDeviceError& error) {
         if (!settings.device.empty()) throw;
         why_not = error.what();

@@ -110,7 +110,7 @@ void add_film(CLI::App& app, RenderCommand& command)
 
 void add_machine(CLI::App& app, RenderSettings& settings)
 {
-    add(app, "-d,--device", "DEVICE", "index, part of the name, or platform:device, as `tyndall devices` lists", [&](const auto& text) {
+    add(app, "-d,--device", "DEVICE", "index, part of the name, or platform:device, as `tyndall devices` lists; several with commas, or all, share the work", [&](const auto& text) {
         settings.device = text;
     })->envname("TYNDALL_DEVICE");
     add(app, "--lanes", "N", "pixels per work-item: 1, 4, 8 or 16 (by device); part of the result", [&](const auto& text) {

@@ -126,6 +126,22 @@ DeviceInfo choose_device(const std::string& request)
     return *chosen;
 }
 
+std::vector<DeviceInfo> choose_devices(const std::string& request)
+{
+    std::vector<DeviceInfo> chosen;
+    if (request == "all") {
+        for (DeviceInfo& d : list_devices())
+            if (d.usable) chosen.push_back(std::move(d));
+        if (chosen.empty()) refuse("", list_devices());
+        return chosen;
+    }
+    for (std::size_t start = 0, comma = 0; comma != std::string::npos; start = comma + 1) {
+        comma = request.find(',', start);
+        chosen.push_back(choose_device(request.substr(start, comma == std::string::npos ? comma : comma - start)));
+    }
+    return chosen;
+}
+
 cl::Device device_at(int index)
 {
     const std::vector<cl::Device> devices = all_devices();

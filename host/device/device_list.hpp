@@ -24,4 +24,7 @@ std::vector<DeviceInfo> list_devices();
 /// or else the first usable one. Throws NoDeviceError naming what there is and which environment variables matter.
 DeviceInfo choose_device(const std::string& request);
 
+/// Several: names as above with commas between them (one may come twice, and then is used twice), or "all": every usable device.
+std::vector<DeviceInfo> choose_devices(const std::string& request);
+
 }  // namespace tyndall

@@ -5,7 +5,6 @@
 #include "pipeline/memory_estimate.hpp"
 #include "tiling/eye_blocks.hpp"
 #include "transport/random_sequence.hpp"
-#include "tyndall/error.hpp"
 
 namespace tyndall {
 namespace {
@@ -57,64 +56,39 @@ struct BlockBatch {
     }
 };
 
-/// The block after the last that fits a batch.
-std::size_t batch_end(const EyeBlocks& all, std::size_t first, std::size_t end, std::size_t most_eyes, std::size_t lights)
-{
-    const std::size_t most_standing = std::max<std::size_t>(estimates_at_a_time / std::max<std::size_t>(lights, 1), 1);
-    std::size_t last = first + 1;
-    while (last < end && all.blocks[last].standing - all.blocks[first].standing < most_standing &&
-           std::size_t(all.blocks[last].first + all.blocks[last].groups - all.blocks[first].first) * eye_alignment <= most_eyes)
-        ++last;
-    return last;
-}
-
 }  // namespace
 
-std::optional<std::vector<double>> EyeConnector::try_pairs(const EyeBatch& eyes, const LightBatch& lights, const Visibility& visibility, ConnectCounts& counts, const LightSelection* selection)
-{
-    ConnectCounts here;
-    try {
-        std::vector<double> sums = connect_pairs(stage_, visibility, eyes, lights, settings_, here, selection);
-        counts.pairs += here.pairs, counts.shadow_segments += here.shadow_segments, counts.visibility_seconds += here.visibility_seconds;
-        return sums;
-    } catch (const ResourceError& error) {
-        const std::uint32_t pairs = settings_.tile_pairs ? settings_.tile_pairs : shadowed_pairs;
-        if (most_eyes_ <= eye_alignment && pairs <= eye_alignment * light_block) throw;
-        most_eyes_ = std::max<std::size_t>(std::min<std::size_t>(most_eyes_, eyes.count) / 2 / eye_alignment, 1) * eye_alignment;
-        settings_.tile_pairs = std::max(pairs / 2, eye_alignment * light_block);
-        ++shortages_, shortage_ = error.what();
-        stage_.recover();
-        return std::nullopt;
-    }
-}
-
-std::string EyeConnector::shortage() const
-{
-    if (shortages_ == 0) return {};
-    return "the device ran short " + std::to_string(shortages_) + " times, and did the same with less at a time, in the end " + std::to_string(most_eyes_) + " eyes and tiles of " +
-           std::to_string(settings_.tile_pairs) + " pairs; the image is not affected. The last time: " + shortage_;
-}
-
 template <typename Eye>
-void EyeConnector::note_worst(std::span<const Eye> eyes, double share)
+void EyeConnector::note_worst(const PairStage& stage, std::span<const Eye> eyes, double share)
 {
-    const WorstPair pair = stage_.worst();
-    if (pair.eye < eyes.size() && pair.value * share > worst_.radiance) worst_ = {eyes[pair.eye].pixel, pair.value * share};
+    const WorstPair pair = stage.worst();
+    if (pair.eye >= eyes.size()) return;
+    const Worst here{eyes[pair.eye].pixel, pair.value * share};
+    const std::lock_guard lock(worst_guard_);  // devices end in any order
+    if (here.radiance > worst_.radiance || (here.radiance == worst_.radiance && here.pixel < worst_.pixel)) worst_ = here;
 }
 
 template <typename Eye>
 void EyeConnector::connect_all(std::span<const Eye> eyes, const VirtualLights& lights, const Visibility& visibility, ConnectCounts& counts, std::vector<Rgb>& image)
 {
-    for (std::size_t first = 0; first < eyes.size();) {
-        const auto chunk = eyes.subspan(first, std::min(most_eyes_, eyes.size() - first));
-        const auto here = padded(chunk);
-        const auto sums = try_pairs(batch_of(here), {lights.records, lights.count}, visibility, counts, nullptr);
-        if (!sums) continue;
-        const double share = 1. / (settings_.samples * double(selection_.camera_samples));
-        for (std::size_t i = 0; i < chunk.size(); ++i) add(*sums, i, share, image[chunk[i].pixel]);
-        note_worst(chunk, share);
-        first += chunk.size();
-    }
+    const auto chunk_of = [&](Piece piece) {
+        const std::size_t first = piece.first * eye_alignment, last = std::min<std::size_t>(piece.last * eye_alignment, eyes.size());
+        return eyes.subspan(first, last - first);
+    };
+    const double share = 1. / (settings_.samples * double(selection_.camera_samples));
+    SharedJob job{.units = (eyes.size() + eye_alignment - 1) / eye_alignment, .eyes = [](Piece piece) { return (piece.last - piece.first) * eye_alignment; }};
+    job.sums = [&](PairStage& stage, const ConnectSettings& settings, Piece piece, ConnectCounts& here) {
+        const auto chunk = chunk_of(piece);
+        const auto records = padded(chunk);
+        std::vector<double> sums = connect_pairs(stage, visibility, batch_of(records), {lights.records, lights.count}, settings, here);
+        note_worst(stage, chunk, share);
+        return sums;
+    };
+    job.add = [&](Piece piece, const std::vector<double>& sums) {
+        const auto chunk = chunk_of(piece);
+        for (std::size_t i = 0; i < chunk.size(); ++i) add(sums, i, share, image[chunk[i].pixel]);
+    };
+    crew_.share(job, counts);
 }
 
 template <typename Eye>
@@ -132,7 +106,7 @@ void EyeConnector::connect_chosen(std::span<const Eye> eyes, std::span<const std
                          .key = random(3),
                          .samples = selection_.camera_samples};
     const EyeBlocks all = block_eyes(places, grid);
-    RegionLights candidates(stage_, lights, selection_, settings_.vertex_limit, key);
+    RegionLights candidates(crew_.first(), lights, selection_, settings_.vertex_limit, key);
     for (std::size_t r = 0; r < all.regions.size(); ++r) {
         const std::size_t first = all.regions[r], last = r + 1 < all.regions.size() ? all.regions[r + 1] : all.blocks.size();
         if (!candidates.wanted()) return connect_blocks(eyes, all, 0, all.blocks.size(), {lights.records, lights.count}, visibility, counts, image);
@@ -144,19 +118,32 @@ template <typename Eye>
 void EyeConnector::connect_blocks(std::span<const Eye> eyes, const EyeBlocks& all, std::size_t first_block, std::size_t last_block, const LightBatch& lights, const Visibility& visibility,
                                   ConnectCounts& counts, std::vector<Rgb>& image)
 {
-    for (std::size_t first = first_block; first < last_block;) {
-        const std::size_t last = batch_end(all, first, last_block, most_eyes_, lights.count);
+    const auto blocks_of = [&](Piece piece) { return std::pair(first_block + piece.first, first_block + piece.last); };
+    const auto places_of = [&](Piece piece) {
+        const EyeBlock &start = all.blocks[first_block + piece.first], &end = all.blocks[first_block + piece.last - 1];
+        return std::pair(start.first * std::size_t(eye_alignment), (end.first + end.groups) * std::size_t(eye_alignment));
+    };
+    const std::size_t most_standing = std::max<std::size_t>(estimates_at_a_time / std::max<std::size_t>(lights.count, 1), 1);
+    SharedJob job{.units = last_block - first_block, .eyes = [&](Piece piece) { return places_of(piece).second - places_of(piece).first; }};
+    job.fits = [&](Piece piece) {
+        const auto [first, last] = blocks_of(piece);
+        return all.blocks[last - 1].standing - all.blocks[first].standing < most_standing;
+    };
+    job.sums = [&](PairStage& stage, const ConnectSettings& settings, Piece piece, ConnectCounts& here) {
+        const auto [first, last] = blocks_of(piece);
         const BlockBatch<Eye> batch(eyes, all, first, last);
         const LightSelection selection{.standing = std::as_bytes(std::span(batch.standing)), .standing_count = static_cast<std::uint32_t>(batch.standing.size()),
                                        .blocks = batch.blocks, .slots = selection_.slots_per_sample(), .defence = static_cast<float>(selection_.defence)};
-        const auto sums = try_pairs(batch_of(batch.eyes), lights, visibility, counts, &selection);
-        if (!sums) continue;
-        const std::size_t start = all.blocks[first].first * std::size_t(eye_alignment);
-        for (std::size_t i = 0; i < batch.eyes.size(); ++i)
-            if (all.order[start + i] != no_eye) add(*sums, i, 1. / settings_.samples, image[batch.eyes[i].pixel]);
-        note_worst(std::span<const Eye>(batch.eyes), 1. / settings_.samples);
-        first = last;
-    }
+        std::vector<double> sums = connect_pairs(stage, visibility, batch_of(batch.eyes), lights, settings, here, &selection);
+        note_worst(stage, std::span<const Eye>(batch.eyes), 1. / settings_.samples);
+        return sums;
+    };
+    job.add = [&](Piece piece, const std::vector<double>& sums) {
+        const auto [start, end] = places_of(piece);
+        for (std::size_t i = start; i < end; ++i)
+            if (all.order[i] != no_eye) add(sums, i - start, 1. / settings_.samples, image[eyes[all.order[i]].pixel]);
+    };
+    crew_.share(job, counts);
 }
 
 void EyeConnector::connect(const EyeRecords& eyes, EyeKind kind, const VirtualLights& lights, const Visibility& visibility, std::uint64_t key, ConnectCounts& counts,

@@ -1,15 +1,15 @@
 #pragma once
 /// Connects the eyes of a pass with its virtual lights: with all of them, or with those that are chosen for each block of pixels.
 #include <cstdint>
-#include <optional>
+#include <mutex>
 #include <string>
 #include <vector>
 
 #include "eye_tracing/eye_tracing.hpp"
 #include "lights/light_technique.hpp"
 #include "light_tracing/light_tracing.hpp"
+#include "pipeline/device_crew.hpp"
 #include "pipeline/light_selection_plan.hpp"
-#include "pipeline/memory_estimate.hpp"
 #include "pipeline/region_lights.hpp"
 #include "tiling/connect_pairs.hpp"
 #include "tiling/eye_blocks.hpp"
@@ -18,8 +18,9 @@ namespace tyndall {
 
 class EyeConnector {
 public:
-    EyeConnector(PairStage stage, const ConnectSettings& settings, const SelectionPlan& selection, int film_width)
-        : stage_(std::move(stage)), settings_(settings), selection_(selection), film_width_(film_width), most_eyes_(eyes_at_a_time(settings.features))
+    /// A stage for each device of the render, all of the same program.
+    EyeConnector(std::vector<PairStage> stages, const ConnectSettings& settings, const SelectionPlan& selection, int film_width)
+        : crew_(std::move(stages), settings), settings_(settings), selection_(selection), film_width_(film_width)
     {
     }
 
@@ -34,16 +35,13 @@ public:
     };
     const Worst& worst() const { return worst_; }
 
-    const PairStage& stage() const { return stage_; }
+    std::vector<const PairStage*> stages() const { return crew_.stages(); }
     const ConnectSettings& settings() const { return settings_; }
-    /// A sentence if the device ran short of memory or resources; empty: it did not.
-    std::string shortage() const;
+    std::vector<std::string> warnings() const { return crew_.warnings(); }
 
 private:
-    /// Sums of a batch; none if the device ran short: from then on the connector does half as much at a time. Throws ResourceError when nothing is left to halve.
-    std::optional<std::vector<double>> try_pairs(const EyeBatch& eyes, const LightBatch& lights, const Visibility& visibility, ConnectCounts& counts, const LightSelection* selection);
     template <typename Eye>
-    void note_worst(std::span<const Eye> eyes, double share);
+    void note_worst(const PairStage& stage, std::span<const Eye> eyes, double share);
     template <typename Eye>
     void connect_all(std::span<const Eye> eyes, const VirtualLights& lights, const Visibility& visibility, ConnectCounts& counts, std::vector<Rgb>& image);
     /// Eyes first ... last - 1 of the blocks' order, in batches.
@@ -54,13 +52,11 @@ private:
     void connect_chosen(std::span<const Eye> eyes, std::span<const std::size_t> ends, const VirtualLights& lights, const Visibility& visibility, std::uint64_t key, ConnectCounts& counts,
                         std::vector<Rgb>& image);
 
-    PairStage stage_;
+    DeviceCrew crew_;
     ConnectSettings settings_;
     SelectionPlan selection_;
     int film_width_;
-    std::size_t most_eyes_;  ///< at a time
-    int shortages_ = 0;
-    std::string shortage_;
+    std::mutex worst_guard_;
     Worst worst_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <future>
+#include <numeric>
 
 #include "path_tracing/path_tracing.hpp"
 #include "path_tracing/single_scattering.hpp"
@@ -56,14 +57,13 @@ PassRenderer::PassRenderer(const Scene& scene, const RenderSettings& settings, c
 
 void PassRenderer::prepare_lights()
 {
-    device_.emplace(settings_.device);
-    device_->bound_launches(settings_.launch_seconds);
+    for (const DeviceInfo& info : choose_devices(settings_.device)) {
+        devices_.emplace_back(std::to_string(info.index));
+        devices_.back().bound_launches(settings_.launch_seconds);
+    }
     const auto start = std::chrono::steady_clock::now();
     const auto build = [&](bool wanted, EyeKind kind) { return wanted ? make_connector(kind) : nullptr; };
-    auto selftest = std::async(std::launch::async, [&] {
-        if (!settings_.selftest) return SelftestReport{.outcome = "skipped"};
-        return check_on_first_use({.device = device_->info(), .lanes = lanes_of(settings_, *device_), .families = case_families(plan_, settings_, masks_)});
-    });
+    auto selftest = std::async(std::launch::async, [&] { return check_devices(); });
     auto to_points = std::async(std::launch::async, build, plan_.media_to_surface, EyeKind::points);
     auto to_segments = std::async(std::launch::async, build, plan_.media_to_media, EyeKind::segments);
     const std::uint32_t lights = plan_.selection.lights;
@@ -72,16 +72,37 @@ void PassRenderer::prepare_lights()
                          {.seed = settings_.seed, .max_depth = max_depth_, .light_segments = settings_.light_segments, .segment_length = settings_.segment_length}, lights);
     });
     to_points_ = to_points.get(), to_segments_ = to_segments.get(), selftest_ = selftest.get();
-    clock_.add("build_kernels", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), device_->programs_built());
+    clock_.add("build_kernels", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), programs_built());
+}
+
+/// What the first device's check said, with the warnings of all.
+SelftestReport PassRenderer::check_devices()
+{
+    if (!settings_.selftest) return {.outcome = "skipped"};
+    const int lanes = lanes_of(settings_, devices_.front());
+    SelftestReport all;
+    for (std::size_t i = 0; i < devices_.size(); ++i) {
+        const SelftestReport report = check_on_first_use({.device = devices_[i].info(), .lanes = lanes, .families = case_families(plan_, settings_, masks_)});
+        if (i == 0) all = report;
+        else if (all.warning.empty()) all.warning = report.warning;
+    }
+    return all;
+}
+
+std::uint64_t PassRenderer::programs_built() const
+{
+    return std::accumulate(devices_.begin(), devices_.end(), std::uint64_t(0), [](std::uint64_t sum, const Device& d) { return sum + d.programs_built(); });
 }
 
 std::unique_ptr<EyeConnector> PassRenderer::make_connector(EyeKind kind)
 {
-    const int lanes = lanes_of(settings_, *device_);
+    const int lanes = lanes_of(settings_, devices_.front());
     const PairProgram program = pair_program(plan_, settings_, kind, masks_, lanes);
     const std::uint32_t limit = max_depth_ < 0 ? 0xffffffffu : static_cast<std::uint32_t>(std::max(max_depth_ - 1, 0));
     const ConnectSettings connect{.features = program.features, .samples = program.samples, .vertex_limit = limit, .tile_pairs = settings_.tile_pairs, .lanes = lanes};
-    return std::make_unique<EyeConnector>(PairStage(*device_, program, media_tables(scene_, features_)), connect, plan_.selection, scene_.camera.crop_width);
+    std::vector<PairStage> stages;
+    for (Device& device : devices_) stages.emplace_back(device, program, media_tables(scene_, features_));
+    return std::make_unique<EyeConnector>(std::move(stages), connect, plan_.selection, scene_.camera.crop_width);
 }
 
 void PassRenderer::add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image)
@@ -154,28 +175,38 @@ void PassRenderer::fill(Report& report) const
     if (plan_.virtual_lights()) report.selection = to_text(plan_.selection);
     report.grids = grid_transmittance(settings_, plan_, masks_);
     add_savings(report);
-    if (!device_) return;
-    report.programs = device_->programs_built(), report.wall_clock = !device_->time_stamps();
+    if (devices_.empty()) return;
+    report.programs = programs_built(), report.wall_clock = std::any_of(devices_.begin(), devices_.end(), [](const Device& d) { return !d.time_stamps(); });
     report.selftest = selftest_;
     if (selftest_ && !selftest_->warning.empty()) report.warnings.push_back(selftest_->warning);
-    report.device = device_->info().platform + ": " + device_->info().name, report.driver = device_->info().driver;
-    for (const auto* connector : {to_segments_.get(), to_points_.get()}) {
-        if (!connector) continue;
-        if (std::string shortage = connector->shortage(); !shortage.empty()) report.warnings.push_back(std::move(shortage));
-        const PairTimings timings = connector->stage().timings();
-        const PairLedger ledger = connector->stage().ledger();
-        const char* layer = connector == to_segments_.get() ? "media_to_media" : "media_to_surface";
-        report.lanes = connector->settings().lanes, report.lanes_from = lanes_from(settings_), report.launches += timings.launches;
-        report.largest_launch_seconds = std::max(report.largest_launch_seconds, timings.largest_launch);
-        report.build_options += (report.build_options.empty() ? "" : "; ") + std::string(layer) + ": " + connector->stage().options();
+    for (const Device& d : devices_) {
+        report.device += (report.device.empty() ? "" : "; ") + d.info().platform + ": " + d.info().name;
+        report.driver += (report.driver.empty() ? "" : "; ") + d.info().driver;
+    }
+    if (to_segments_) add_connector(*to_segments_, "media_to_media", report);
+    if (to_points_) add_connector(*to_points_, "media_to_surface", report);
+    if (counts_.shadow_segments) report.stages.push_back({"shadow_segments", counts_.visibility_seconds, counts_.shadow_segments});
+}
+
+/// Times are sums over devices.
+void PassRenderer::add_connector(const EyeConnector& connector, const std::string& layer, Report& report) const
+{
+    PairTimings all;
+    for (std::string& warning : connector.warnings()) report.warnings.push_back(std::move(warning));
+    for (const PairStage* stage : connector.stages()) {
+        const PairTimings t = stage->timings();
+        all.gather += t.gather, all.sample += t.sample, all.accumulate += t.accumulate, all.tabulate += t.tabulate, all.select += t.select, all.launches += t.launches;
+        report.largest_launch_seconds = std::max(report.largest_launch_seconds, t.largest_launch);
+        const PairLedger ledger = stage->ledger();
         report.ledger.not_finite_pairs += ledger.not_finite, report.ledger.floored_pairs += ledger.floored;
         if (ledger.not_finite)
-            report.ledger.first_cases.push_back(std::string(layer) + ": eye " + std::to_string(ledger.first_eye) + ", light sample " + std::to_string(ledger.first_counter));
-        for (const auto& [stage, seconds] : {std::pair("gather_lights", timings.gather), std::pair("sample_pairs", timings.sample), std::pair("accumulate_pairs", timings.accumulate),
-                                            std::pair("tabulate_grids", timings.tabulate), std::pair("select_lights", timings.select)})
-            if (seconds > 0) report.stages.push_back({std::string(layer) + "." + stage, seconds, timings.launches});
+            report.ledger.first_cases.push_back(layer + ": eye " + std::to_string(ledger.first_eye) + ", light sample " + std::to_string(ledger.first_counter));
     }
-    if (counts_.shadow_segments) report.stages.push_back({"shadow_segments", counts_.visibility_seconds, counts_.shadow_segments});
+    report.lanes = connector.settings().lanes, report.lanes_from = lanes_from(settings_), report.launches += all.launches;
+    report.build_options += (report.build_options.empty() ? "" : "; ") + layer + ": " + connector.stages().front()->options();
+    for (const auto& [stage, seconds] : {std::pair("gather_lights", all.gather), std::pair("sample_pairs", all.sample), std::pair("accumulate_pairs", all.accumulate),
+                                        std::pair("tabulate_grids", all.tabulate), std::pair("select_lights", all.select)})
+        if (seconds > 0) report.stages.push_back({layer + "." + stage, seconds, all.launches});
 }
 
 }  // namespace tyndall

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "device/pair_stage.hpp"
 #include "eye_tracing/eye_tracing.hpp"
@@ -48,8 +49,11 @@ public:
 
 private:
     void prepare_lights();
+    SelftestReport check_devices();
     std::unique_ptr<EyeConnector> make_connector(EyeKind kind);
+    std::uint64_t programs_built() const;
     void add_savings(Report& report) const;
+    void add_connector(const EyeConnector& connector, const std::string& layer, Report& report) const;
     void add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image);
     void note_worst_pair(const EyeConnector::Worst& worst, std::uint64_t pass, Layer layer, PassImage& image);
     void add_host_layers(std::uint64_t pass, PassImage& image);
@@ -61,7 +65,7 @@ private:
     LayerPlan plan_;
     BuildMasks masks_;
     Visibility visibility_;
-    std::optional<Device> device_;
+    std::vector<Device> devices_;  ///< all with the lane width of the first
     std::unique_ptr<EyeConnector> to_segments_, to_points_;
     std::optional<SelftestReport> selftest_;
     std::uint64_t light_paths_ = 0;

@@ -83,7 +83,7 @@ struct RenderSettings {
     Sequence emission = Sequence::automatic;  ///< of light paths; automatic: sobol
     GridTransmittance transmittance = GridTransmittance::march;
     std::optional<std::uint32_t> features;  ///< mask of kernels/shared/scene_features.h for all kernels; none: what the scene calls for
-    std::string device;                ///< index, substring of the name, or platform:device; empty: the default device
+    std::string device;                ///< index, substring of the name, or platform:device; several with commas, or "all"; empty: the default device
     int lanes = 0;                     ///< 1, 4, 8, 16; 0: chosen by fixed rule from the device
     bool lanes_calibrated = false;     ///< `lanes` were measured for the device before, not asked for; for the report alone
     std::uint32_t tile_pairs = 0;      ///< pairs per tile; 0: default. Never changes a byte

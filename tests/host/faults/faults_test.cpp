@@ -121,10 +121,59 @@ TEST_P(Faults, ADeviceWithoutAClockGivesTheSameImageTimedByTheWall)
     EXPECT_TRUE(r.report.wall_clock);
 }
 
+// ---- several devices ----
+
+TEST_P(Faults, SeveralDevicesGiveTheBytesOfOne)
+{
+    const std::vector<Rgb> expected = image();
+    for (const char* devices : {"0,0", "0,0,0"}) {
+        RenderSettings several = settings;
+        several.device = devices;
+        const RenderOutcome r = render(scene, several);
+        EXPECT_EQ(r.film.beauty(), expected) << devices;
+        EXPECT_EQ(r.report.pairs, rendered().report.pairs);
+        EXPECT_TRUE(r.report.warnings.empty()) << r.report.warnings.back();
+        EXPECT_THAT(r.report.device, testing::HasSubstr("; ")) << "both are named";
+    }
+}
+
+// The device whose call fails takes no further part, the other does its piece; when both fail, it is an error.
+TEST_P(Faults, TheOtherDeviceDoesWhatAFailedOneLeaves)
+{
+    RenderSettings two = settings;
+    two.device = "0,0";
+    const std::vector<Rgb> expected = render(scene, two).film.beauty();
+    const long calls = opencl_faults().calls;
+    int mended = 0;
+    for (long n = calls / 2; n < calls; n += std::max(calls / 10, 1l)) {
+        opencl_faults().reset();
+        opencl_faults().fail_at = n, opencl_faults().error = -36;  // the queue is no longer valid
+        try {
+            const RenderOutcome r = render(scene, two);
+            EXPECT_EQ(r.film.beauty(), expected) << n;
+            mended += !r.report.warnings.empty() && r.report.warnings.back().find("the others did its work") != std::string::npos;
+        } catch (const DeviceError& error) {
+            EXPECT_THAT(error.what(), testing::HasSubstr("CL_INVALID_COMMAND_QUEUE (-36)")) << n;
+        }
+    }
+    EXPECT_GT(mended, 2);
+    opencl_faults().reset();
+    opencl_faults().fail_at = calls / 2, opencl_faults().failures = 1 << 30, opencl_faults().error = -36;
+    EXPECT_THROW(render(scene, two), DeviceError);
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, Faults,
                          testing::Values(FaultyScene{"ClearFog", clear_fog, Selection::all, 1u << 15}, FaultyScene{"ShadowedFog", shadowed_fog, Selection::all, 1u << 18},
                                          FaultyScene{"ChosenLights", shadowed_fog, Selection::tile, 1u << 18}),
                          [](const auto& info) { return info.param.name; });
+
+TEST(SeveralDevices, EachMustBeThere)
+{
+    opencl_faults().reset();
+    EXPECT_THROW(render(scene_of(clear_fog), {.passes = 1, .device = "0,no such device"}), NoDeviceError);
+    EXPECT_THROW(render(scene_of(clear_fog), {.passes = 1, .device = "0,99"}), NoDeviceError);
+    EXPECT_GT(render(scene_of(clear_fog), {.passes = 1, .lights = 64, .device = "all"}).report.pairs, 0u);
+}
 
 TEST(NoDevices, PlatformsWithoutDevicesAndNoPlatformsAreNamed)
 {
