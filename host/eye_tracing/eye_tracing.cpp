@@ -53,8 +53,9 @@ public:
             add_segments(walk);
             if (!walk.found) return;
             throughput_ *= transmittance_of(scene_, walk);
-            if (!specular(bsdf_of(scene_, walk.surface))) return add_point(walk);
-            if (!pass_specular(walk)) return;
+            const SurfaceParts parts = parts_at(scene_, {.hit = walk.surface, .in = ray_.direction});
+            if (parts.lambertian) return add_point(walk);
+            if (!parts.specular || !pass_specular(walk)) return;
         }
     }
 
@@ -119,7 +120,7 @@ private:
 
     bool pass_specular(const RayWalk& walk)
     {
-        const BsdfSample next = sample_bsdf(scene_, {.hit = walk.surface, .in = ray_.direction}, random_.next2());
+        const BsdfSample next = sample_specular(scene_, {.hit = walk.surface, .in = ray_.direction}, random_.next2());
         throughput_ *= next.weight;
         if (++depth_ >= roulette_depth) {
             const double survival = std::min(largest(throughput_), most_survival);

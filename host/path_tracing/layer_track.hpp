@@ -17,6 +17,7 @@ public:
         else if (second_ == Vertex::none)
             second_ = vertex;
     }
+    bool scattered() const { return first_ != Vertex::none; }
     /// The path is mirrored or refracted.
     void pass_specular() { specular_leg_ = specular_leg_ || (first_ != Vertex::none && second_ == Vertex::none); }
 

@@ -63,8 +63,8 @@ public:
         for (int mirrors = 0; may_scatter(mirrors) && largest(throughput) > 0; ++mirrors) {
             const RayWalk walk = shared_.visibility.walk(ray, medium);
             radiance += along(walk, ray, throughput);
-            if (!walk.found || !specular(bsdf_of(scene_, walk.surface))) break;
-            const BsdfSample next = sample_bsdf(scene_, {.hit = walk.surface, .in = ray.direction}, random_.next2());
+            if (!walk.found || !parts_at(scene_, {.hit = walk.surface, .in = ray.direction}).specular) break;
+            const BsdfSample next = sample_specular(scene_, {.hit = walk.surface, .in = ray.direction}, random_.next2());
             throughput *= next.weight * transmittance_of(scene_, walk) / survival(mirrors, throughput);
             medium = shared_.visibility.medium_behind(walk.surface, next.direction, walk.medium);
             ray = {.origin = shared_.visibility.leave(walk.surface, next.direction), .direction = next.direction};

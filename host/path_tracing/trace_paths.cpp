@@ -61,8 +61,14 @@ public:
 
 private:
     bool may_scatter() const { return shared_.settings.max_depth < 0 || vertices_ < shared_.settings.max_depth - 1; }
-    bool wants(Layer layer) const { return shared_.settings.layers.contains(layer); }
-    bool wants_more() const { return !(track_.reachable() & shared_.settings.layers).empty(); }
+    LayerSet wanted() const
+    {
+        LayerSet layers = shared_.settings.layers;
+        if (shared_.settings.glossy_only && track_.scattered() && !begins_glossy_) layers.remove(Layer::media_to_surface);
+        return layers;
+    }
+    bool wants(Layer layer) const { return wanted().contains(layer); }
+    bool wants_more() const { return !(track_.reachable() & wanted()).empty(); }
     void add(Layer layer, const Rgb& radiance) { image_[layer][pixel_] += radiance; }
 
     /// Share of a light met by chance, the rest being next-event estimation's; `light_pdf` is that one's density per steradian.
@@ -135,28 +141,41 @@ private:
     {
         if (!walk.found) return false;
         const Hit& hit = walk.surface;
-        const bool mirror = specular(bsdf_of(scene_, hit));
-        mirror ? track_.pass_specular() : track_.scatter(Vertex::surface);
-        ++vertices_;
-        if (!wants_more()) return false;
         const Arrival arrival{.hit = hit, .in = ray_.direction};
-        if (!mirror) connect_from_surface(arrival, walk.medium);
+        const SurfaceParts parts = parts_at(scene_, arrival);
+        ++vertices_;
+        const LayerTrack before = track_;
+        if (parts.scattering) {
+            if (!track_.scattered()) begins_glossy_ = !parts.lambertian;
+            track_.scatter(Vertex::surface);
+            if (wants_more()) connect_from_surface(arrival, parts, walk.medium);
+        }
         const BsdfSample next = sample_bsdf(scene_, arrival, random_.next2());
+        if (next.delta) track_ = before, track_.pass_specular();
+        if (!wants_more()) return false;
         throughput_ *= next.weight;
         if (!(largest(throughput_) > 0)) return false;
-        medium_ = shared_.visibility.medium_behind(hit, next.direction, walk.medium);
-        ray_ = {.origin = shared_.visibility.leave(hit, next.direction), .direction = next.direction};
-        last_pdf_ = next.pdf;
+        stand_at(hit, next.direction, walk.medium);
+        ray_.direction = next.direction, last_pdf_ = next.pdf;
         return true;
     }
 
-    /// Diffuse surfaces only reflect: connections start where the path came from.
-    void connect_from_surface(const Arrival& arrival, int medium)
+    /// Sets the ray's origin and medium to the side of `direction`.
+    void stand_at(const Hit& hit, const Vec3& direction, int medium)
     {
-        if (diffuse_reflectance(scene_, arrival.hit, arrival.in) == Rgb(0)) return;
-        ray_ = {.origin = shared_.visibility.leave(arrival.hit, -arrival.in), .direction = arrival.in};
-        medium_ = shared_.visibility.medium_behind(arrival.hit, -arrival.in, medium);
-        add_connection([&](const Vec3& out) { return Scattered{evaluate_bsdf(scene_, arrival, out), pdf_bsdf(scene_, arrival, out)}; });
+        medium_ = shared_.visibility.medium_behind(hit, direction, medium);
+        ray_ = {.origin = shared_.visibility.leave(hit, direction), .direction = ray_.direction};
+    }
+
+    /// Connections start where the path came from; those through the surface, from its other side, one rounding of the hit further on.
+    void connect_from_surface(const Arrival& arrival, const SurfaceParts& parts, int medium)
+    {
+        if (parts.lambertian && diffuse_reflectance(scene_, arrival.hit, arrival.in) == Rgb(0)) return;
+        stand_at(arrival.hit, -arrival.in, medium);
+        add_connection([&](const Vec3& out) {
+            if (parts.through) stand_at(arrival.hit, out, medium);
+            return Scattered{evaluate_bsdf(scene_, arrival, out), pdf_bsdf(scene_, arrival, out)};
+        });
     }
 
     /// Russian roulette on what is left of the path's throughput.
@@ -178,6 +197,7 @@ private:
     int medium_;
     Rgb throughput_{1};
     LayerTrack track_;
+    bool begins_glossy_ = false;  ///< the path's first scattering vertex is on a surface that is not lambertian
     int vertices_ = 0;     ///< scattering vertices so far, mirrors and glass included
     double last_pdf_ = 0;  ///< per steradian, of ray_.direction at ray_.origin; 0: camera, mirror or glass, where no connection competes
 };

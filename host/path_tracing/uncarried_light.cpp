@@ -38,7 +38,7 @@ std::vector<std::string> uncarried_light(const Scene& scene)
         const std::string kind = kind_without_size(emitter);
         if (kind.empty() || !mirror) continue;
         sentences.push_back(to_string(emitter.where) + ": " + kind + " light \"" + emitter.name +
-                            "\" has no size: path tracing does not find what it sends over the smooth glass or mirror \"" + mirror->name +
+                            "\" has no size: path tracing does not find what it sends over the smooth glass, mirror or plastic \"" + mirror->name +
                             "\" (" + to_string(mirror->where) + ") before it is scattered; use a small area light to see that light");
     }
     return sentences;

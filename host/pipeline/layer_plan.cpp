@@ -22,7 +22,7 @@ std::string missing_for(Layer layer, const Scene& scene, const SceneFeatures& fe
     const bool needs_media = layer == Layer::single || layer == Layer::surface_to_media || layer == Layer::media_to_media || layer == Layer::media_to_surface;
     const bool needs_surfaces = layer == Layer::surface_direct || layer == Layer::surface_indirect || layer == Layer::media_to_surface;
     if (needs_media && !features.scattering_media) return "no medium of the scene scatters";
-    if (needs_surfaces && !features.receiving_surfaces) return "no surface of the scene reflects diffusely";
+    if (needs_surfaces && !features.receiving_surfaces) return "no surface of the scene scatters light";
     if (layer == Layer::surface_to_media && !features.receiving_surfaces && !features.specular_surfaces) return "no surface of the scene reflects";
     return {};
 }
@@ -53,6 +53,19 @@ Carrier carrier_of(Layer layer, const LightTechnique* lights)
         case Layer::media_to_surface: return {title, "light that a medium has scattered, on straight lines"};
         default: return {"path tracing", "connections by straight lines do not pass mirrors and glass"};
     }
+}
+
+/// Virtual lights carry media_to_surface to diffuse surfaces, paths to all others.
+void plan_media_to_surface(const SceneFeatures& features, LayerPlan& plan)
+{
+    plan.media_to_surface = features.surfaces_in_reach, plan.glossy_by_paths = features.glossy_surfaces;
+    if (!features.glossy_surfaces) return;
+    plan.path_traced.add(Layer::media_to_surface);
+    LayerReport& report = plan.reports.back();
+    const std::string lights(plan.technique->title);
+    report.technique = plan.media_to_surface ? lights + ", path tracing" : "path tracing";
+    report.why = plan.media_to_surface ? lights + " to diffuse surfaces; paths to plastic, rough metal and rough glass, where the kernels know no lobes"
+                                       : "the surfaces are plastic, rough metal or rough glass, where the kernels know no lobes";
 }
 
 /// How places are drawn in a layer of virtual lights.
@@ -89,7 +102,7 @@ LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const R
         const Carrier carrier = carrier_of(layer, plan.technique);
         LayerReport report{.layer = std::string(name(layer)), .technique = carrier.name};
         report.why = settings.layers.contains(layer) ? missing_for(layer, scene, features) : "turned off";
-        if (report.why.empty() && layer == Layer::media_to_surface && !features.surfaces_in_reach)  // by straight lines; the sub-layer's go round by mirrors
+        if (report.why.empty() && layer == Layer::media_to_surface && !features.surfaces_in_reach && !features.glossy_surfaces)  // by straight lines; the sub-layer's go round by mirrors
             report.why = "no surface that reflects diffusely faces a medium that scatters";
         if (report.why.empty() && layer == Layer::media_to_media && settings.skip_thin > 0) skip_if_thin(scene, settings.skip_thin, report);
         report.skipped = !report.why.empty();
@@ -98,10 +111,10 @@ LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const R
         plan.reports.push_back(report);
         if (report.skipped) continue;
         const LightTechnique* lights = plan.technique;
-        if (lights) name_sampler(layer, *lights, chosen, plan.reports.back());
+        if (lights && (layer != Layer::media_to_surface || features.surfaces_in_reach)) name_sampler(layer, *lights, chosen, plan.reports.back());
         if (lights && (layer == Layer::media_to_media || layer == Layer::media_to_surface)) plan.reports.back().unbiased = lights->unbiased;
         if (lights && layer == Layer::media_to_media) plan.media_to_media = true;
-        else if (lights && layer == Layer::media_to_surface) plan.media_to_surface = true;
+        else if (lights && layer == Layer::media_to_surface) plan_media_to_surface(features, plan);
         else if (lights && layer == Layer::single) plan.single = true;
         else plan.path_traced.add(layer);
     }

@@ -15,6 +15,7 @@ struct LayerPlan {
     bool media_to_media = false, media_to_surface = false;  ///< by virtual lights
     bool single = false;                                    ///< by equi-angular light sampling
     LayerSet path_traced;                                   ///< by the path tracer
+    bool glossy_by_paths = false;                           ///< media_to_surface is in path_traced only where virtual lights do not connect: at glossy surfaces
     SelectionPlan selection;                                ///< how many virtual lights, and which of them eyes connect to
     int sampler = 0;                                        ///< of media_to_media: kernels/shared/samplers.h
     std::vector<LayerReport> reports;                       ///< one per layer, in order

@@ -134,7 +134,7 @@ void PassRenderer::note_worst_pair(const EyeConnector::Worst& worst, std::uint64
 
 void PassRenderer::add_host_layers(std::uint64_t pass, PassImage& image)
 {
-    const PathTracingSettings settings{.seed = settings_.seed, .pass = pass, .max_depth = max_depth_, .layers = plan_.path_traced};
+    const PathTracingSettings settings{.seed = settings_.seed, .pass = pass, .max_depth = max_depth_, .layers = plan_.path_traced, .glossy_only = plan_.glossy_by_paths};
     if (!plan_.path_traced.empty()) clock_.time("trace_paths", [&] { trace_paths(scene_, visibility_, settings, image); });
     if (plan_.single) clock_.time("single", [&] { trace_single(scene_, visibility_, settings, image); });
 }

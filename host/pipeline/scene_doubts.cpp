@@ -31,7 +31,11 @@ bool sends_light_on(const Scene& scene, const RayWalk& walk)
     if (!walk.found) return false;
     const Bsdf& front = scene.bsdfs[static_cast<std::size_t>(scene.shapes[static_cast<std::size_t>(walk.surface.shape)].bsdf)];
     const Bsdf& back = front.back == none ? front : scene.bsdfs[static_cast<std::size_t>(front.back)];
-    const auto reflects = [](const Bsdf& b) { return greatest(b.reflectance) > 0 || (b.type == Bsdf::Type::dielectric && greatest(b.specular_transmittance) > 0); };
+    const auto is = [](const Bsdf& b, std::initializer_list<Bsdf::Type> types) { return std::find(types.begin(), types.end(), b.type) != types.end(); };
+    const auto reflects = [&](const Bsdf& b) {
+        return greatest(b.reflectance) > 0 || (is(b, {Bsdf::Type::plastic, Bsdf::Type::rough_plastic}) && greatest(b.diffuse) > 0) ||
+               (is(b, {Bsdf::Type::dielectric, Bsdf::Type::thin_dielectric, Bsdf::Type::rough_dielectric}) && greatest(b.specular_transmittance) > 0);
+    };
     return reflects(front) || reflects(back);
 }
 

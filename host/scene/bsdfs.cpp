@@ -1,6 +1,7 @@
-// Surfaces: null, diffuse, twosided, dielectric, conductor.
+// Surfaces: null, diffuse, twosided, dielectrics, conductors and plastics, smooth and rough.
 #include <fmt/format.h>
 
+#include "scene/plastic.hpp"
 #include "scene/refractive_index.hpp"
 #include "scene/scene_builder.hpp"
 #include "scene/text.hpp"
@@ -28,21 +29,65 @@ double read_index(Properties& properties, const std::string& name, const std::st
     return *index;
 }
 
-Bsdf read_dielectric(Properties& properties)
+/// Interior over exterior index.
+double read_eta(Properties& properties, const std::string& interior)
 {
-    Bsdf bsdf{.type = Bsdf::Type::dielectric, .reflectance = Rgb(1)};
-    bsdf.eta = read_index(properties, "int_ior", "bk7") / read_index(properties, "ext_ior", "air");
+    const double eta = read_index(properties, "int_ior", interior) / read_index(properties, "ext_ior", "air");
     // 100: no material comes near, and beyond it the squares of Snell's law lose every digit of the direction.
-    if (!(bsdf.eta > .01 && bsdf.eta < 100))
-        properties.refuse_parameter("int_ior", fmt::format("int_ior / ext_ior = {} must lie between .01 and 100", bsdf.eta));
+    if (!(eta > .01 && eta < 100)) properties.refuse_parameter("int_ior", fmt::format("int_ior / ext_ior = {} must lie between .01 and 100", eta));
+    return eta;
+}
+
+/// One index on both sides: facets would bend nothing, and which of them did it could not be told.
+void require_boundary(Properties& properties, double eta)
+{
+    if (std::abs(eta - 1) < 1e-6)
+        properties.refuse_parameter("int_ior", fmt::format("int_ior / ext_ior = {} makes no boundary; use type \"null\", or \"dielectric\" without roughness", eta));
+}
+
+/// Roughness below this is a mirror in all but its noise; Mitsuba's limit.
+constexpr double least_alpha = 1e-4;
+
+void read_distribution(Properties& properties, Roughness& roughness)
+{
+    const std::string name = properties.choice("distribution", "beckmann", {"beckmann", "ggx"});
+    roughness.type = name == "ggx" ? Roughness::Type::ggx : Roughness::Type::beckmann;
+    properties.boolean("sample_visible", true);  // a choice of sampler: Tyndall's always draws visible normals, the image is the same
+}
+
+double read_alpha(Properties& properties, const std::string& name, double fallback) { return properties.real(name, fallback, Range::between(least_alpha, 10)); }
+
+Roughness read_roughness(Properties& properties)
+{
+    Roughness roughness;
+    read_distribution(properties, roughness);
+    const bool by_axis = properties.has("alpha_u") || properties.has("alpha_v");
+    if (by_axis && properties.has("alpha")) properties.refuse_parameter("alpha", "alpha excludes alpha_u and alpha_v");
+    const double alpha = read_alpha(properties, "alpha", .1);
+    roughness.alpha_u = read_alpha(properties, "alpha_u", alpha), roughness.alpha_v = read_alpha(properties, "alpha_v", alpha);
+    if (by_axis && !(properties.has("alpha_u") && properties.has("alpha_v"))) properties.refuse_parameter("alpha_u", "alpha_u and alpha_v come in pairs");
+    return roughness;
+}
+
+void read_specular_colours(Properties& properties, Bsdf& bsdf)
+{
     bsdf.reflectance = properties.colour("specular_reflectance", Rgb(1), Range::between(0, 1));
     bsdf.specular_transmittance = properties.colour("specular_transmittance", Rgb(1), Range::between(0, 1));
+}
+
+Bsdf read_dielectric(Properties& properties, Bsdf::Type type)
+{
+    Bsdf bsdf{.type = type, .eta = read_eta(properties, "bk7")};
+    read_specular_colours(properties, bsdf);
+    if (type != Bsdf::Type::rough_dielectric) return bsdf;
+    require_boundary(properties, bsdf.eta);
+    bsdf.roughness = read_roughness(properties);
     return bsdf;
 }
 
-Bsdf read_conductor(Properties& properties)
+Bsdf read_conductor(Properties& properties, Bsdf::Type type)
 {
-    Bsdf bsdf{.type = Bsdf::Type::conductor};
+    Bsdf bsdf{.type = type};
     const std::string material = properties.text("material", "none");
     if (material != "none")
         properties.refuse_parameter(
@@ -53,6 +98,22 @@ Bsdf read_conductor(Properties& properties)
     bsdf.conductor_eta = properties.colour("eta", Rgb(0), Range::not_negative());
     bsdf.conductor_k = properties.colour("k", Rgb(1), Range::not_negative());
     bsdf.reflectance = properties.colour("specular_reflectance", Rgb(1), Range::between(0, 1));
+    if (type == Bsdf::Type::rough_conductor) bsdf.roughness = read_roughness(properties);
+    return bsdf;
+}
+
+Bsdf read_plastic(Properties& properties, Bsdf::Type type)
+{
+    Bsdf bsdf{.type = type, .eta = read_eta(properties, "polypropylene")};
+    require_boundary(properties, bsdf.eta);
+    bsdf.diffuse = properties.colour("diffuse_reflectance", Rgb(.5), Range::between(0, 1));
+    bsdf.reflectance = properties.colour("specular_reflectance", Rgb(1), Range::between(0, 1));
+    bsdf.nonlinear = properties.boolean("nonlinear", false);
+    if (type == Bsdf::Type::rough_plastic) {
+        read_distribution(properties, bsdf.roughness);
+        bsdf.roughness.alpha_u = bsdf.roughness.alpha_v = read_alpha(properties, "alpha", .1);
+    }
+    prepare_plastic(bsdf);
     return bsdf;
 }
 
@@ -64,7 +125,7 @@ int read_twosided(SceneBuilder& builder, Properties& properties)
                                                properties.title(), sides.size()));
     for (const Nested& side : sides) {
         const std::string type = side.object->value_of("type");
-        if (type == "twosided" || type == "null" || type == "dielectric")
+        if (type == "twosided" || type == "null" || type == "dielectric" || type == "thindielectric" || type == "roughdielectric")
             refuse(side.mention->where,
                    fmt::format("{}: a {} bsdf cannot be a side; only what lets no light through can", properties.title(), in_quotes(type)));
     }
@@ -77,12 +138,17 @@ int read_twosided(SceneBuilder& builder, Properties& properties)
 
 Bsdf read_one_sided(Properties& properties)
 {
-    if (properties.type() == "null") return {.type = Bsdf::Type::null, .reflectance = Rgb(0)};
-    if (properties.type() == "diffuse")
-        return {.type = Bsdf::Type::diffuse, .reflectance = properties.colour("reflectance", Rgb(.5), Range::between(0, 1))};
-    if (properties.type() == "dielectric") return read_dielectric(properties);
-    if (properties.type() == "conductor") return read_conductor(properties);
-    properties.refuse_type({"null", "diffuse", "twosided", "dielectric", "conductor"});
+    const std::string& type = properties.type();
+    if (type == "null") return {.type = Bsdf::Type::null, .reflectance = Rgb(0)};
+    if (type == "diffuse") return {.type = Bsdf::Type::diffuse, .reflectance = properties.colour("reflectance", Rgb(.5), Range::between(0, 1))};
+    if (type == "dielectric") return read_dielectric(properties, Bsdf::Type::dielectric);
+    if (type == "thindielectric") return read_dielectric(properties, Bsdf::Type::thin_dielectric);
+    if (type == "roughdielectric") return read_dielectric(properties, Bsdf::Type::rough_dielectric);
+    if (type == "conductor") return read_conductor(properties, Bsdf::Type::conductor);
+    if (type == "roughconductor") return read_conductor(properties, Bsdf::Type::rough_conductor);
+    if (type == "plastic") return read_plastic(properties, Bsdf::Type::plastic);
+    if (type == "roughplastic") return read_plastic(properties, Bsdf::Type::rough_plastic);
+    properties.refuse_type({"null", "diffuse", "twosided", "dielectric", "thindielectric", "roughdielectric", "conductor", "roughconductor", "plastic", "roughplastic"});
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ std::string medium_name(const Scene& scene, int medium)
 
 const char* type_name(Bsdf::Type type)
 {
-    constexpr std::array names{"null", "diffuse", "dielectric", "conductor"};
+    constexpr std::array names{"null", "diffuse", "dielectric", "conductor", "thindielectric", "roughdielectric", "roughconductor", "plastic", "roughplastic"};
     return names[static_cast<std::size_t>(type)];
 }
 const char* type_name(Shape::Type type)

@@ -61,17 +61,30 @@ struct Medium {
 };
 
 inline constexpr int vacuum = -1;  ///< medium index of empty space
+
+/// Facets of a rough surface (scene/microfacet.hpp): Gaussian slopes (Beckmann) or GGX's longer tail.
+struct Roughness {
+    enum class Type { beckmann, ggx };
+    Type type = Type::beckmann;
+    double alpha_u = .1, alpha_v = .1;  ///< root mean square slope times sqrt(2) along and across dp/du; >= 1e-4
+};
+
 struct Bsdf {
-    enum class Type { null, diffuse, dielectric, conductor };
+    enum class Type { null, diffuse, dielectric, conductor, thin_dielectric, rough_dielectric, rough_conductor, plastic, rough_plastic };
     std::string name;
     Type type = Type::diffuse;
-    Rgb reflectance{.5};             ///< diffuse; specular_reflectance of dielectric and conductor
-    Rgb specular_transmittance{1};   ///< dielectric
-    double eta = 1.5046;             ///< dielectric: interior over exterior index of refraction
+    Rgb reflectance{.5};             ///< diffuse; specular_reflectance of all others
+    Rgb specular_transmittance{1};   ///< dielectrics, thin and rough ones too
+    double eta = 1.5046;             ///< dielectrics and plastics: interior over exterior index of refraction
     Rgb conductor_eta{0}, conductor_k{1};
     bool two_sided = false;          ///< the front's behaviour on the back too, or `back`
     int back = none;                 ///< index of another Bsdf for the back of a `twosided` with two children
     SourceLocation where;
+    Roughness roughness{};           ///< rough ones
+    Rgb diffuse{.5};                 ///< plastics: reflectance of what lies below the boundary
+    bool nonlinear = false;          ///< plastics: light that the boundary throws back inside takes on the colour of `diffuse` again
+    double internal_reflectance = 0;             ///< plastics (scene/plastic.hpp): of diffuse light, by the boundary, from inside
+    std::vector<double> boundary_transmittance;  ///< rough_plastic: at equally spaced cosines from 0 to 1
 };
 
 /// Triangles in render space. Normals are shading normals per vertex, or empty.

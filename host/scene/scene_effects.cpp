@@ -90,12 +90,31 @@ Found first_surface(const Scene& scene, Holds&& holds)
     return std::nullopt;
 }
 
-Found receiving_surfaces(const Scene& scene)
+/// Scatters over directions, but not the same to all of them, or to both sides.
+bool glossy(const Bsdf& b)
 {
-    return first_surface(scene, [](const Bsdf& b) { return b.type == Bsdf::Type::diffuse && any_above(b.reflectance, 0); });
+    switch (b.type) {
+        case Bsdf::Type::rough_dielectric: return any_above(b.reflectance, 0) || any_above(b.specular_transmittance, 0);
+        case Bsdf::Type::rough_conductor: return any_above(b.reflectance, 0);
+        case Bsdf::Type::plastic: return any_above(b.diffuse, 0);
+        case Bsdf::Type::rough_plastic: return any_above(b.diffuse, 0) || any_above(b.reflectance, 0);
+        default: return false;
+    }
+}
+
+bool smooth(const Bsdf& b)
+{
+    return b.type == Bsdf::Type::dielectric || b.type == Bsdf::Type::thin_dielectric || b.type == Bsdf::Type::conductor || b.type == Bsdf::Type::plastic;
 }
 
 bool reflects_diffusely(const Bsdf& b) { return b.type == Bsdf::Type::diffuse && any_above(b.reflectance, 0); }
+
+Found receiving_surfaces(const Scene& scene)
+{
+    return first_surface(scene, [](const Bsdf& b) { return reflects_diffusely(b) || glossy(b); });
+}
+
+Found glossy_surfaces(const Scene& scene) { return first_surface(scene, glossy); }
 
 /// Does some triangle of a flat-shaded mesh have part of a region in front of it? (All other shapes: yes.)
 bool faces(const Shape& shape, const std::vector<Bounds>& regions)
@@ -129,7 +148,7 @@ Found surfaces_in_reach(const Scene& scene)
 
 Found specular_surfaces(const Scene& scene)
 {
-    return first_surface(scene, [](const Bsdf& b) { return b.type == Bsdf::Type::dielectric || b.type == Bsdf::Type::conductor; });
+    return first_surface(scene, smooth);
 }
 
 }  // namespace
@@ -145,8 +164,9 @@ const std::vector<SceneFact>& scene_facts()
         {{"OPTICALLY_THIN", 0, "media scatter less than 1 % of their light twice in a row", ""}, thin_media},
         {{"CONVEX_CONTAINERS", 0, "media fill disjoint convex polyhedra", ""}, convex_containers},
         {{"LIGHTS_IN_MEDIA", 0, "a light stands inside a medium", ""}, lights_in_media},
-        {{"RECEIVING_SURFACES", 0, "a surface reflects diffusely", "light between surfaces and light that they reflect"}, receiving_surfaces},
+        {{"RECEIVING_SURFACES", 0, "a surface scatters light, diffusely or glossily", "light between surfaces and light that they reflect"}, receiving_surfaces},
         {{"SURFACES_IN_REACH", 0, "a surface that reflects diffusely faces a medium that scatters", "eye points, media_to_surface and its kernels"}, surfaces_in_reach},
+        {{"GLOSSY_SURFACES", 0, "a surface is plastic, rough metal or rough glass", "path tracing of light from media to it"}, glossy_surfaces},
         {{"SPECULAR_SURFACES", 0, "there are mirrors or glass", "the layers of light through mirrors and glass"}, specular_surfaces},
     };
     return facts;

@@ -176,7 +176,7 @@ SceneFeatures features_of(const Scene& scene, bool short_lights, int max_depth)
     const auto found = [&](std::string_view name) { return std::any_of(f.effects.begin(), f.effects.end(), [&](const Effect& e) { return e.row.name == name && e.found; }); };
     f.scattering_media = found("SCATTERING_MEDIA"), f.absorbing_media = found("MEDIA");
     f.surfaces_in_reach = found("SURFACES_IN_REACH");
-    f.receiving_surfaces = found("RECEIVING_SURFACES"), f.specular_surfaces = found("SPECULAR_SURFACES");
+    f.glossy_surfaces = found("GLOSSY_SURFACES"), f.receiving_surfaces = found("RECEIVING_SURFACES"), f.specular_surfaces = found("SPECULAR_SURFACES");
     return f;
 }
 

@@ -42,8 +42,9 @@ struct FeatureCause {
 struct SceneFeatures {
     bool scattering_media = false;    ///< some medium scatters: without one no virtual light is traced
     bool absorbing_media = false;     ///< some medium has extinction
-    bool surfaces_in_reach = false;   ///< some surface may be lit by a medium: without one there is no media_to_surface
-    bool receiving_surfaces = false;  ///< some surface reflects diffusely: without one there is nothing between media and surfaces
+    bool surfaces_in_reach = false;   ///< some diffuse surface may be lit by a medium: without one virtual lights carry no media_to_surface
+    bool receiving_surfaces = false;  ///< some surface scatters light over directions: without one there is nothing between media and surfaces
+    bool glossy_surfaces = false;     ///< some surface scatters, but not the same in all directions of one side: virtual lights do not connect to it
     bool specular_surfaces = false;   ///< mirrors or glass
     std::uint32_t media_to_media = 0, media_to_surface = 0;  ///< masks of kernels/shared/scene_features.h for the connections of the two layers
     std::vector<Container> containers;  ///< empty unless every null boundary is a convex polyhedron, disjoint from the others, in vacuum

@@ -96,6 +96,32 @@ TEST(AgainstPathTracing, GlassBallInFogLitByAnArea)
     expect_twins(t, {specular(Layer::media_to_media)}, .2);
 }
 
+/// Light paths carry flux through facets, camera paths radiance: they agree only if refraction divides by the index squared in one of them alone. The lamp inside the glass makes the two
+/// differ by 2.25 if it does not.
+TEST(AgainstPathTracing, FrostedGlassAroundALampInFog)
+{
+    const std::string frosted = R"(<bsdf type="roughdielectric"><string name="distribution" value="ggx"/><float name="alpha" value=".3"/><float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/></bsdf>)";
+    const Twins t = twins(fog + container(Vec3(-.6), Vec3(.6), "fog") + sphere({0, .1, 0}, .3, frosted + side_ref("exterior", "fog")) +
+                              sphere({0, .1, 0}, .1, diffuse(Rgb(0)) + glow(Rgb(20, 15, 10))) + floor_below + view,
+                          300, 6000);
+    EXPECT_TRUE(found(t.vrl, "GLOSSY_SURFACES"));
+    EXPECT_FALSE(found(t.vrl, "SPECULAR_SURFACES"));
+    expect_twins(t, {Layer::media_to_media, Layer::media_to_surface}, .05);
+}
+
+/// media_to_surface is shared: virtual lights reach the floor, paths the plastic and the metal. Neither part may be missing or counted twice.
+TEST(AgainstPathTracing, PlasticAndRoughMetalBesideADiffuseFloor)
+{
+    const std::string plastic = R"(<bsdf type="plastic"><rgb name="diffuse_reflectance" value=".1 .4 .6"/></bsdf>)",
+                      metal = R"(<bsdf type="roughconductor"><float name="alpha" value=".25"/><rgb name="eta" value=".2 .9 1.1"/><rgb name="k" value="3.9 2.4 2.2"/></bsdf>)";
+    const Twins t = twins(fog + container({-.5, -.3, -.5}, Vec3(.5), "fog") + sphere({-.5, -.55, .5}, .25, plastic) + sphere({.5, -.55, .5}, .25, metal) + floor_below + lamp + view, 300, 6000);
+    EXPECT_TRUE(found(t.vrl, "GLOSSY_SURFACES"));
+    EXPECT_TRUE(found(t.vrl, "SPECULAR_SURFACES"));
+    for (const auto& layer : t.vrl.report().layers)
+        if (layer.layer == "media_to_surface") { EXPECT_EQ(layer.technique, "virtual ray lights, path tracing"); }
+    expect_twins(t, {Layer::single, Layer::media_to_media, Layer::media_to_surface}, .05);
+}
+
 /// Two boxes in vacuum are clipped in the kernel. A small boundary inside one of them between the medium and itself changes nothing but
 /// that the host must walk.
 TEST(DisjointMedia, ClippedInTheKernelAreAsWalkedOnTheHost)

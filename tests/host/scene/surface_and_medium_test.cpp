@@ -146,6 +146,61 @@ TEST(Bsdf, ParametersAreRead)
     EXPECT_EQ(metal.reflectance, Rgb(.9));
 }
 
+TEST(Bsdf, RoughAndThinAndPlasticHaveMitsubasDefaults)
+{
+    for (const char* type : {"roughdielectric", "roughconductor", "roughplastic"}) {
+        const Bsdf b = bsdf_of(type);
+        EXPECT_EQ(b.roughness.type, Roughness::Type::beckmann) << type;
+        EXPECT_EQ(b.roughness.alpha_u, .1) << type;
+        EXPECT_EQ(b.roughness.alpha_v, .1) << type;
+        EXPECT_EQ(b.reflectance, Rgb(1)) << type;
+    }
+    EXPECT_EQ(bsdf_of("thindielectric").type, Bsdf::Type::thin_dielectric);
+    EXPECT_EQ(bsdf_of("thindielectric").eta, bsdf_of("dielectric").eta);
+    EXPECT_EQ(bsdf_of("roughdielectric").eta, bsdf_of("dielectric").eta);
+    for (const char* type : {"plastic", "roughplastic"}) {
+        EXPECT_EQ(bsdf_of(type).diffuse, Rgb(.5));
+        EXPECT_FALSE(bsdf_of(type).nonlinear);
+        EXPECT_NEAR(bsdf_of(type).eta, 1.48959, 5e-6);  // polypropylene in air
+    }
+    EXPECT_NEAR(bsdf_of("plastic").internal_reflectance, .5905, 1e-3);  // of eta 1.49 [Egan and Hilgeman 1973]
+    EXPECT_EQ(bsdf_of("roughplastic").boundary_transmittance.size(), 64u);
+}
+
+TEST(Bsdf, RoughnessIsRead)
+{
+    const Bsdf metal = bsdf_of("roughconductor", R"(<string name="distribution" value="ggx"/><float name="alpha_u" value=".3"/><float name="alpha_v" value=".05"/>
+        <boolean name="sample_visible" value="false"/><rgb name="eta" value="1 2 3"/><rgb name="k" value="4 5 6"/>)");
+    EXPECT_EQ(metal.type, Bsdf::Type::rough_conductor);
+    EXPECT_EQ(metal.roughness.type, Roughness::Type::ggx);
+    EXPECT_EQ(metal.roughness.alpha_u, .3);
+    EXPECT_EQ(metal.roughness.alpha_v, .05);
+    EXPECT_EQ(metal.conductor_k, Rgb(4, 5, 6));
+    const Bsdf plastic = bsdf_of("roughplastic", R"(<float name="alpha" value=".2"/><boolean name="nonlinear" value="true"/><rgb name="diffuse_reflectance" value=".1 .2 .3"/>)");
+    EXPECT_EQ(plastic.roughness.alpha_v, .2);
+    EXPECT_TRUE(plastic.nonlinear);
+    EXPECT_EQ(plastic.diffuse, Rgb(.1, .2, .3));
+}
+
+TEST(Bsdf, WrongRoughnessIsASentence)
+{
+    const auto says = [](const char* type, const char* inside, const char* words) {
+        EXPECT_NE(bsdf_fault(type, inside).find(words), std::string::npos) << bsdf_fault(type, inside);
+        EXPECT_EQ(bsdf_fault(type, inside).find("scene.xml:3:"), 0u) << bsdf_fault(type, inside);
+    };
+    says("roughconductor", R"(<float name="alpha" value="0"/>)", "alpha = 0 must lie between 0.0001 and 10");
+    says("roughconductor", R"(<float name="alpha" value="-.1"/>)", "must lie between");
+    says("roughconductor", R"(<float name="alpha" value=".1"/><float name="alpha_u" value=".1"/>)", "alpha excludes alpha_u and alpha_v");
+    says("roughconductor", R"(<float name="alpha_u" value=".1"/>)", "come in pairs");
+    says("roughdielectric", R"(<string name="distribution" value="phong"/>)", "distribution");
+    says("roughdielectric", R"(<float name="int_ior" value="1.5"/><float name="ext_ior" value="1.5"/>)", "makes no boundary");
+    says("plastic", R"(<string name="int_ior" value="air"/>)", "makes no boundary");
+    says("roughplastic", R"(<float name="alpha_u" value=".1"/>)", "unknown parameter \"alpha_u\" (did you mean \"alpha\"?)");
+    says("plastic", R"(<rgb name="diffuse_reflectance" value="1.5 0 0"/>)", "diffuse_reflectance = 1.5 must lie between 0 and 1");
+    for (const char* side : {"thindielectric", "roughdielectric"})
+        EXPECT_NE(bsdf_fault("twosided", ("<bsdf type=\"" + std::string(side) + "\"/>").c_str()).find("cannot be a side"), std::string::npos);
+}
+
 TEST(Bsdf, TwosidedTakesOneOrTwo)
 {
     const Scene one =
@@ -184,8 +239,9 @@ TEST(Bsdf, WrongValuesAreSentences)
               std::string::npos);
     EXPECT_EQ(bsdf_fault("null", R"(<float name="opacity" value="1"/>)"),
               "scene.xml:3:1: bsdf \"null\": unknown parameter \"opacity\"; it takes none");
-    EXPECT_EQ(bsdf_fault("plastic"),
-              "scene.xml:2:1: bsdf type \"plastic\" is not supported; supported: null, diffuse, twosided, dielectric, conductor");
+    EXPECT_EQ(bsdf_fault("principled"),
+              "scene.xml:2:1: bsdf type \"principled\" is not supported; supported: null, diffuse, twosided, dielectric, thindielectric, roughdielectric, conductor, roughconductor, plastic, "
+              "roughplastic");
     EXPECT_EQ(bsdf_fault("difuse").find("scene.xml:2:1: bsdf type \"difuse\" is not supported (did you mean \"diffuse\"?)"), 0u);
 }
 
