@@ -209,7 +209,7 @@ TEST(Explain, SavesWhatKernelsAreBuiltWithout)
     EXPECT_TRUE(saved(explained(foggy_room())).contains("media_to_media and media_to_surface without COLOURED"));
     EXPECT_FALSE(saved(explained(foggy_room())).contains("media_to_media and media_to_surface without OCCLUDERS"));
     EXPECT_TRUE(saved(explained(box_of_fog())).contains("media_to_media without OCCLUDERS"));
-    EXPECT_TRUE(saved(explained(box_of_fog())).contains("no surface of the scene reflects diffusely"));
+    EXPECT_TRUE(saved(explained(box_of_fog())).contains("no surface of the scene scatters light"));
     EXPECT_TRUE(explained(foggy_room(), {.method = Method::path}).savings.empty());
     const Explanation general = explained(foggy_room(), {.features = every_feature});
     EXPECT_TRUE(general.savings.empty()) << general.savings[0].because;
