@@ -73,11 +73,9 @@ Crossing last_crossing(const Shape& shape, const Vec3& from, const Vec3& along)
     return last;
 }
 
-/// A place just off the glowing side.
-Vec3 place_of(const Scene& scene, const Emitter& emitter)
+/// A place next to the shape, off the side of its normal, or, `inside`, off the other.
+Vec3 place_at(const Shape& shape, bool inside)
 {
-    if (emitter.type != Emitter::Type::area) return emitter.position;
-    const Shape& shape = scene.shapes[static_cast<std::size_t>(emitter.shape)];
     Vec3 place(shape.to_world[3]), normal(shape.to_world[2]);
     if (shape.type == Shape::Type::mesh) {
         const glm::uvec3& corner = shape.mesh.triangles[0];
@@ -88,7 +86,13 @@ Vec3 place_of(const Scene& scene, const Emitter& emitter)
     } else if (shape.type == Shape::Type::cylinder) {
         place += .5 * normal + Vec3(shape.to_world[0]), normal = Vec3(shape.to_world[0]);
     }
-    return place + (shape.flip_normals ? -1e-6 : 1e-6) * glm::normalize(normal);
+    return place + (shape.flip_normals != inside ? -1e-6 : 1e-6) * glm::normalize(normal);
+}
+
+/// A place just off the glowing side.
+Vec3 place_of(const Scene& scene, const Emitter& emitter)
+{
+    return emitter.type == Emitter::Type::area ? place_at(scene.shapes[static_cast<std::size_t>(emitter.shape)], false) : emitter.position;
 }
 
 void warn_of_unused_media(SceneBuilder& builder)
@@ -117,6 +121,23 @@ void warn_of_leaks(SceneBuilder& builder)
                 shape.where,
                 fmt::format("shape {}: bounds a medium but is not closed: unless other shapes close it, the medium leaks; close its edges",
                             in_quotes(shape.name)));
+    }
+}
+
+/// A solid of glass that names no media does not end the medium around it.
+void warn_of_media_inside_glass(SceneBuilder& builder)
+{
+    const Scene& scene = builder.scene;
+    for (const Shape& shape : scene.shapes) {
+        const Bsdf::Type type = scene.bsdfs[static_cast<std::size_t>(shape.bsdf)].type;
+        const bool glass = type == Bsdf::Type::dielectric || type == Bsdf::Type::rough_dielectric;
+        const bool closed = shape.type == Shape::Type::mesh ? shape.mesh.closed : shape.type == Shape::Type::sphere;
+        if (!glass || !closed || shape.medium_boundary) continue;
+        const int medium = medium_at(scene, Vec3(scene.camera.to_world[3]), scene.camera.medium, place_at(shape, true));
+        if (medium != vacuum)
+            builder.warn(shape.where, fmt::format("shape {0}: lets light through and names no interior medium, so medium {1} goes on inside of it; give it <ref name=\"exterior\" id={1}/> if it is "
+                                                  "to be empty, or <ref name=\"interior\" .../>",
+                                                  in_quotes(shape.name), in_quotes(scene.media[static_cast<std::size_t>(medium)].name)));
     }
 }
 
@@ -166,6 +187,7 @@ void add_warnings(SceneBuilder& builder)
 {
     warn_of_unused_media(builder);
     warn_of_leaks(builder);
+    warn_of_media_inside_glass(builder);
     warn_of_missing_refs(builder);
     warn_of_grids(builder);
     if (builder.scene.emitters.empty()) builder.warn(builder.document.root().where, "the scene has no emitter: its image is black");

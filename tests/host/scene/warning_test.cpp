@@ -45,6 +45,25 @@ TEST(Warning, LeakingContainer)
     EXPECT_EQ(leaks(R"(<shape type="rectangle"></shape>)"), 0u);
 }
 
+TEST(Warning, GlassThatDoesNotEndTheMediumAroundIt)
+{
+    const std::string box = R"(<shape type="cube"><bsdf type="null"/><ref name="interior" id="fog"/></shape>)";
+    const auto ball = [](const std::string& bsdf, const std::string& content, const std::string& where = "0") {
+        return "<shape type=\"sphere\" id=\"ball\"><point name=\"center\" x=\"" + where + "\"/><float name=\"radius\" value=\".3\"/><bsdf type=\"" + bsdf + "\"/>" + content + "</shape>";
+    };
+    for (const char* glass : {"dielectric", "roughdielectric"}) {
+        const auto warnings = warnings_of(fog + lamp + box + ball(glass, ""));
+        ASSERT_EQ(warnings.size(), 1u) << glass;
+        EXPECT_EQ(warnings[0].find("scene.xml:2:"), 0u);
+        EXPECT_NE(warnings[0].find("shape \"ball\": lets light through and names no interior medium, so medium \"fog\" goes on inside of it"), std::string::npos) << warnings[0];
+        EXPECT_TRUE(warnings_of(fog + lamp + box + ball(glass, R"(<ref name="exterior" id="fog"/>)")).empty());
+        EXPECT_TRUE(warnings_of(fog + lamp + box + ball(glass, "", "5")).empty()) << "it stands outside of the fog";
+    }
+    for (const char* other : {"diffuse", "thindielectric", "conductor"}) EXPECT_TRUE(warnings_of(fog + lamp + box + ball(other, "")).empty()) << other;
+    const std::string cube = R"(<shape type="cube"><transform name="to_world"><scale value=".2"/></transform><bsdf type="dielectric"/></shape>)";
+    EXPECT_EQ(warnings_of(fog + lamp + box + cube).size(), 1u);
+}
+
 TEST(Warning, LightInsideAMediumWithoutItsRef)
 {
     const std::string box = R"(<shape type="cube"><bsdf type="null"/><ref name="interior" id="fog"/></shape>)";
