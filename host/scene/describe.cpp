@@ -125,15 +125,28 @@ std::string emitter_words(const Scene& scene, const Emitter& emitter)
     return text + (emitter.medium == vacuum ? "" : ", in " + medium_name(scene, emitter.medium)) + "\n";
 }
 
+/// Ends the line.
+std::string roughness_words(const Bsdf& bsdf)
+{
+    const Roughness& r = bsdf.roughness;
+    if (bsdf.type != Bsdf::Type::rough_dielectric && bsdf.type != Bsdf::Type::rough_conductor && bsdf.type != Bsdf::Type::rough_plastic) return "\n";
+    const std::string alpha = r.alpha_u == r.alpha_v ? fmt::format("{:.6g}", r.alpha_u) : fmt::format("{:.6g} along u, {:.6g} along v", r.alpha_u, r.alpha_v);
+    return fmt::format(", {} facets of roughness {}\n", r.type == Roughness::Type::ggx ? "GGX" : "Beckmann", alpha);
+}
+
 std::string bsdf_words(const Bsdf& bsdf)
 {
     std::string text =
         fmt::format("bsdf       {}: {}{}", in_quotes(bsdf.name), type_name(bsdf.type), bsdf.two_sided ? ", on both sides" : "");
     if (bsdf.type != Bsdf::Type::null) text += " reflectance " + words(bsdf.reflectance);
-    if (bsdf.type == Bsdf::Type::dielectric)
+    using Type = Bsdf::Type;
+    const Type type = bsdf.type;
+    const bool plastic = type == Type::plastic || type == Type::rough_plastic, conductor = type == Type::conductor || type == Type::rough_conductor;
+    if (type == Type::dielectric || type == Type::thin_dielectric || type == Type::rough_dielectric)
         text += fmt::format(", transmittance {}, relative index {:.6g}", words(bsdf.specular_transmittance), bsdf.eta);
-    if (bsdf.type == Bsdf::Type::conductor) text += fmt::format(", eta {}, k {}", words(bsdf.conductor_eta), words(bsdf.conductor_k));
-    return text + "\n";
+    if (plastic) text += fmt::format(", below it {}, relative index {:.6g}", words(bsdf.diffuse), bsdf.eta);
+    if (conductor) text += fmt::format(", eta {}, k {}", words(bsdf.conductor_eta), words(bsdf.conductor_k));
+    return text + roughness_words(bsdf);
 }
 
 }  // namespace

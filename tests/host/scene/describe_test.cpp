@@ -32,4 +32,14 @@ TEST(Describe, SaysWhatWasReadInTheFilesUnits)
     EXPECT_THAT(text, HasSubstr("warning    scene.xml:4:9: medium \"lost\": nothing refers to it"));
 }
 
+TEST(Describe, TellsRoughSurfacesApart)
+{
+    const std::string text = describe(load_body(R"(<bsdf type="roughdielectric" id="frosted"><float name="alpha" value=".3"/><float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/></bsdf>
+        <bsdf type="roughconductor" id="brushed"><string name="distribution" value="ggx"/><float name="alpha_u" value=".3"/><float name="alpha_v" value=".1"/></bsdf>
+        <bsdf type="plastic" id="toy"><rgb name="diffuse_reflectance" value=".1 .2 .3"/><float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/></bsdf>)" + unit_sphere));
+    EXPECT_THAT(text, HasSubstr("\"frosted\": roughdielectric reflectance 1, transmittance 1, relative index 1.5, Beckmann facets of roughness 0.3\n"));
+    EXPECT_THAT(text, HasSubstr("\"brushed\": roughconductor reflectance 1, eta 0, k 1, GGX facets of roughness 0.3 along u, 0.1 along v\n"));
+    EXPECT_THAT(text, HasSubstr("\"toy\": plastic reflectance 1, below it 0.1 0.2 0.3, relative index 1.5\n"));
+}
+
 }  // namespace tyndall::test
