@@ -114,6 +114,16 @@ void parse_layers(std::string_view option, const std::string& text, LayerSet& la
     }
 }
 
+void parse_layer_wishes(std::string_view option, const std::string& text, LayerWishes& wishes)
+{
+    for (const auto& part : split(text, ',')) {
+        const auto sign = part.find('=');
+        const std::string how = sign == std::string::npos ? "" : part.substr(sign + 1);
+        if (sign != std::string::npos && how != "path") refuse(option, part, "a layer of its own can be given to path only; --method sets the kind of light for all");
+        parse_layers(option, part.substr(0, sign), how.empty() ? wishes.named : wishes.by_path);
+    }
+}
+
 std::optional<std::uint32_t> parse_features(std::string_view option, const std::string& text)
 {
     if (text == "own") return std::nullopt;

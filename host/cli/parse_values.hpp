@@ -32,6 +32,16 @@ Crop parse_crop(std::string_view option, const std::string& text);
 /// Adds the comma-separated layer names to the set; "all" adds every layer.
 void parse_layers(std::string_view option, const std::string& text, LayerSet& layers);
 
+/// What --layer says: layers to keep, and layers to path-trace whatever the method.
+struct LayerWishes {
+    LayerSet named, by_path;
+    /// All, or those that were named in either way.
+    LayerSet kept() const { return named.empty() ? LayerSet::all() : named | by_path; }
+};
+
+/// Adds comma-separated wishes: "single" keeps a layer, "media_to_media=path" path-traces one.
+void parse_layer_wishes(std::string_view option, const std::string& text, LayerWishes& wishes);
+
 /// A mask of kernels/shared/scene_features.h: comma-separated names, "all" or "none"; nothing for "own", what the scene calls for.
 std::optional<std::uint32_t> parse_features(std::string_view option, const std::string& text);
 

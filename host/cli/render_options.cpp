@@ -35,20 +35,25 @@ void add_budget(CLI::App& app, RenderSettings& settings)
     add(app, "--seed", "N", "another seed, other noise (1)", [&](const auto& text) { settings.seed = parse_unsigned("--seed", text); });
 }
 
-void add_transport(CLI::App& app, RenderSettings& settings, LayerSet& layers)
+void add_layers(CLI::App& app, RenderSettings& settings)
+{
+    app.add_option_function<std::vector<std::string>>(
+           "--layer",
+           [&](const std::vector<std::string>& texts) {
+               LayerWishes wishes;
+               for (const auto& text : texts) parse_layer_wishes("--layer", text, wishes);
+               settings.layers = wishes.kept(), settings.path_layers = wishes.by_path;
+           },
+           "keep only these layers, for example single,media_to_media; NAME=path keeps the others and path-traces this one; repeatable (all)")
+        ->type_name("NAMES")
+        ->allow_extra_args(false);
+}
+
+void add_transport(CLI::App& app, RenderSettings& settings)
 {
     add(app, "--method", "NAME", "vrl, vpl: virtual ray or point lights; path: path tracing of every layer (vrl)", [&](const auto& text) {
         settings.method = parse_method("--method", text);
     });
-    app.add_option_function<std::vector<std::string>>(
-           "--layer",
-           [&](const std::vector<std::string>& texts) {
-               layers = {};
-               for (const auto& text : texts) parse_layers("--layer", text, layers);
-           },
-           "keep only these layers, for example single,media_to_media; repeatable (all)")
-        ->type_name("NAMES")
-        ->allow_extra_args(false);
     add(app, "--max-depth", "D", "paths have at most D - 1 scattering vertices; -1: no limit (the scene's)",
         [&](const auto& text) { settings.max_depth = text == "-1" ? -1 : integer("--max-depth", text, 1, 1 << 20); });
     add(app, "--light-segments", "WHICH", "all, or first: only those that leave the emitter (all)", [&](const auto& text) {
@@ -215,7 +220,8 @@ void add_render_options(CLI::App& app, RenderCommand& command)
     add_output(app, command);
     add_budget(app, command.settings);
     add_film(app, command);
-    add_transport(app, command.settings, command.settings.layers);
+    add_layers(app, command.settings);
+    add_transport(app, command.settings);
     add_selection(app, command.settings);
     add_machine(app, command.settings);
     add_load_options(app, command.load);

@@ -99,7 +99,9 @@ LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const R
     LayerPlan plan{.technique = technique_of(settings.method), .selection = plan_selection(settings, scene.camera), .sampler = chosen.sampler};
     for (std::size_t l = 0; l < layer_count; ++l) {
         const Layer layer = static_cast<Layer>(l);
-        const Carrier carrier = carrier_of(layer, plan.technique);
+        const LightTechnique* lights = settings.path_layers.contains(layer) ? nullptr : plan.technique;
+        Carrier carrier = carrier_of(layer, lights);
+        if (lights != plan.technique) carrier.why = fmt::format("--layer {}=path", name(layer));
         LayerReport report{.layer = std::string(name(layer)), .technique = carrier.name};
         report.why = settings.layers.contains(layer) ? missing_for(layer, scene, features) : "turned off";
         if (report.why.empty() && layer == Layer::media_to_surface && !features.surfaces_in_reach && !features.glossy_surfaces)  // by straight lines; the sub-layer's go round by mirrors
@@ -110,7 +112,6 @@ LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const R
         else report.why = carrier.why;
         plan.reports.push_back(report);
         if (report.skipped) continue;
-        const LightTechnique* lights = plan.technique;
         if (lights && (layer != Layer::media_to_surface || features.surfaces_in_reach)) name_sampler(layer, *lights, chosen, plan.reports.back());
         if (lights && (layer == Layer::media_to_media || layer == Layer::media_to_surface)) plan.reports.back().unbiased = lights->unbiased;
         if (lights && layer == Layer::media_to_media) plan.media_to_media = true;

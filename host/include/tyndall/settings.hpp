@@ -69,6 +69,7 @@ inline constexpr std::uint32_t all_lights = 0xffffffffu;
 struct RenderSettings {
     Method method = Method::vrl;
     LayerSet layers = LayerSet::all();
+    LayerSet path_layers;              ///< path-traced whatever the method
     int passes = 0;                    ///< stop after so many; 0: no limit (the command line's default is 16 unless a time is given)
     double seconds = 0;                ///< stop when the next pass would end later; 0: no limit
     double target_error = 0;           ///< stop when the error is at most this with 95 % confidence (film/error_estimate.hpp), after 8 passes at least; 0: never

@@ -74,6 +74,18 @@ TEST(ParseValues, LayersAddUpAndMisspeltOnesGetASuggestion)
     }
 }
 
+TEST(ParseValues, ALayerMayBePathTraced)
+{
+    LayerWishes one;
+    parse_layer_wishes("--layer", "media_to_media=path", one);
+    EXPECT_EQ(one.kept(), LayerSet::all()) << "the others are kept";
+    EXPECT_EQ(one.by_path, LayerSet().add(Layer::media_to_media));
+    LayerWishes two;
+    parse_layer_wishes("--layer", "single,media_to_surface=path", two);
+    EXPECT_EQ(two.kept(), LayerSet().add(Layer::single).add(Layer::media_to_surface));
+    for (const auto* text : {"media_to_media=vpl", "media_to_media=", "media_to_medai=path"}) EXPECT_THROW(parse_layer_wishes("--layer", text, two), UsageError) << text;
+}
+
 TEST(ParseValues, FeaturesAreNamesOrAllOrNoneOrOwn)
 {
     using namespace feature_bit;

@@ -156,16 +156,16 @@ TEST(Explain, DoubtsAMediumThatNobodySees)
 TEST(Explain, DoubtsVirtualRayLightsInThickMediaOnly)
 {
     const auto box = [](const char* sigma_t) { return scene_of({medium("fog", sigma_t), lamp(), container("cube", "box", here)}); };  // its diagonal is 3.46
-    expect_doubt(box("10"), "is 34.6 mean free paths thick: virtual ray lights are the wrong tool above 30; use --method path");
-    EXPECT_TRUE(explained(box("8")).warnings.empty());
-    EXPECT_TRUE(explained(box("10"), {.method = Method::path}).warnings.empty());
+    expect_doubt(box("10"), "is 34.6 mean free paths thick: above 20, path tracing tends to reach");
+    EXPECT_TRUE(explained(box("5")).warnings.empty());
+    for (const RenderSettings& paths : {RenderSettings{.method = Method::path}, {.path_layers = LayerSet().add(Layer::media_to_media)}}) EXPECT_TRUE(explained(box("10"), paths).warnings.empty());
 }
 
 TEST(Explain, DoubtsMeanFreePathsOnAnotherScale)
 {
     expect_doubt(scene_of({medium("fog", "1e-6"), lamp(in_fog), far_ball}, in_fog), "medium \"fog\": its mean free path is");
     const Explanation thick = explained(scene_of({medium("fog", "1e5"), lamp(), container("cube", "box", here)}));
-    EXPECT_THAT(thick.warnings, AllOf(Contains(HasSubstr("check the units of sigma_t")), Contains(HasSubstr("wrong tool"))));
+    EXPECT_THAT(thick.warnings, AllOf(Contains(HasSubstr("check the units of sigma_t")), Contains(HasSubstr("path tracing tends to reach"))));
 }
 
 /// The box of fog with a grid of 8^3 voxels in it, one of them `densest`, the others 1.
@@ -195,8 +195,8 @@ TEST(Explain, GridsTakeMemoryOnHostAndDevice)
 
 TEST(Explain, DoubtsGoByTheDensestVoxel)
 {
-    EXPECT_THAT(explained(box_of_smoke(17)).warnings, Not(Contains(HasSubstr("mean free paths thick"))));  // .5 x 17 x sqrt(12) = 29.4
-    EXPECT_THAT(explained(box_of_smoke(18)).warnings, Contains(HasSubstr("medium \"fog\" is up to 31.2 mean free paths thick: virtual ray lights are the wrong tool above 30")));
+    EXPECT_THAT(explained(box_of_smoke(11)).warnings, Not(Contains(HasSubstr("mean free paths thick"))));  // .5 x 11 x sqrt(12) = 19.05
+    EXPECT_THAT(explained(box_of_smoke(12)).warnings, Contains(HasSubstr("medium \"fog\" is up to 20.8 mean free paths thick: above 20")));
 }
 
 TEST(Explain, SavesWhatKernelsAreBuiltWithout)

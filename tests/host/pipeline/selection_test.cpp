@@ -73,6 +73,18 @@ TEST(Selection, SeveralCameraSamplesOfAllLightsGiveTheSameImage)
     expect_layers_agree(several, one, {Layer::media_to_media, Layer::media_to_surface}, .02);
 }
 
+TEST(PathLayers, AreThePathTracersWhateverTheMethod)
+{
+    const Scene scene = scene_of(cube_of_fog + floor_below);
+    const LayerSet two = LayerSet().add(Layer::media_to_media).add(Layer::media_to_surface);
+    const WholeRender mixed = render_whole(scene, {.layers = two, .path_layers = LayerSet().add(Layer::media_to_media), .passes = 40}),
+                      path = render_whole(scene, {.method = Method::path, .layers = two, .passes = 40}), lights = render_whole(scene, {.layers = two, .passes = 40});
+    EXPECT_EQ(mixed(Layer::media_to_media).value(), path(Layer::media_to_media).value());
+    EXPECT_EQ(mixed(Layer::media_to_surface).value(), lights(Layer::media_to_surface).value());
+    EXPECT_EQ(mixed.report().layers[static_cast<std::size_t>(Layer::media_to_media)].technique, "path tracing");
+    EXPECT_EQ(mixed.report().layers[static_cast<std::size_t>(Layer::media_to_media)].why, "--layer media_to_media=path");
+}
+
 TEST(Selection, ChoosesByItselfFromManyLightsOnly)
 {
     const Scene scene = scene_of(cube_of_fog);
