@@ -31,6 +31,7 @@ CaseEvaluator::CaseEvaluator(Device& device, int lanes, std::optional<std::strin
                                            case_options(lanes, families)}))
 {
     const cl::Program program = build_program(state_->device, state_->source, state_->options);
+    state_->options += state_->device.info.build_options;  // what the compiler was given
     state_->kernel = on_device(state_->device, "creating a kernel", [&] { return cl::Kernel(program, "evaluate_cases"); });
     State& s = *state_;
     on_device(s.device, "uploading what golden cases refer to", [&] {

@@ -45,8 +45,9 @@ std::uint64_t Device::programs_built() const
 
 namespace {
 
-cl::Program compiled(DeviceState& state, const std::string& text, const std::string& options)
+cl::Program compiled(DeviceState& state, const std::string& text, const std::string& wanted)
 {
+    const std::string options = wanted + state.info.build_options;
     cl::Program program = on_device(state, "creating a program", [&] { return cl::Program(state.context, text); });
     const cl_device_id device = state.device();
     const cl_int code = clBuildProgram(program(), 1, &device, options.c_str(), nullptr, nullptr);  // the binding asks for the log, and throws what that returns

@@ -46,6 +46,13 @@ std::string why_not_usable(const cl::Device& device, const DeviceInfo& info)
     return {};
 }
 
+/// OpenCL lets divisions be off by 2.5 ulp and roots by 3. CPUs round them correctly; GPUs do where they are asked to and can.
+std::string rounding_option(const cl::Device& device, bool is_cpu)
+{
+    const bool can = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
+    return can && !is_cpu ? " -cl-fp32-correctly-rounded-divide-sqrt" : "";
+}
+
 DeviceInfo describe_device(const cl::Device& device, int index)
 {
     DeviceInfo info;
@@ -63,6 +70,7 @@ DeviceInfo describe_device(const cl::Device& device, int index)
         info.fp64 = device.getInfo<CL_DEVICE_EXTENSIONS>().find("cl_khr_fp64") != std::string::npos;
         info.native_kernels = (device.getInfo<CL_DEVICE_EXECUTION_CAPABILITIES>() & CL_EXEC_NATIVE_KERNEL) != 0;
         info.is_cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
+        info.build_options = rounding_option(device, info.is_cpu);
         info.default_lanes = lanes_by_rule(info.is_cpu, info.native_float_width);
         info.why_not = why_not_usable(device, info);
     } catch (const cl::Error& error) {

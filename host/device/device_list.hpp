@@ -14,6 +14,7 @@ struct DeviceInfo {
     unsigned compute_units = 0, native_float_width = 0;
     std::uint64_t global_memory = 0, max_allocation = 0;  ///< bytes
     bool fp64 = false, native_kernels = false, is_cpu = false;
+    std::string build_options;           ///< that this device's compiler gets beside those of a program, with a leading blank; empty on CPUs
     int default_lanes = 1;               ///< lane width chosen by fixed rule from type, vendor and native width (never by timing)
 };
 

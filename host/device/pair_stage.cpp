@@ -198,6 +198,6 @@ void PairStage::recover()
 }
 
 PairTimings PairStage::timings() const { return state_->timings; }
-std::string PairStage::options() const { return build_options(state_->program); }
+std::string PairStage::options() const { return build_options(state_->program) + state_->device.info.build_options; }
 
 }  // namespace tyndall

@@ -154,7 +154,8 @@ struct PairStage::State {
 
     void launch(Timed what, cl::Kernel& kernel, std::uint32_t groups, double work_per_group = 1)
     {
-        const std::uint32_t local = local_size(device, kernel, what == Timed::gather || groups >= 256 ? 8 : 1);  // some drivers compile a kernel again for every local size
+        const std::uint32_t few = what == Timed::gather || groups >= 256 ? 8 : 1;  // some drivers compile a kernel again for every local size
+        const std::uint32_t local = local_size(device, kernel, device.info.is_cpu ? few : 64);  // two warps of a GPU
         cl::Event event;
         const auto now = std::chrono::steady_clock::now();
         device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(work_items(groups, local)), cl::NDRange(local), nullptr, &event);

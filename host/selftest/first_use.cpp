@@ -26,7 +26,7 @@ std::uint64_t hash_of_check(const FirstUse& use)
     SceneHash hash;
     const auto add = [&](const auto& values) { hash.add({reinterpret_cast<const char*>(&values), sizeof values}); };
     hash.add(use.source ? *use.source : flattened_kernel("kernels/selftest/evaluate_cases.cl", {}));
-    hash.add(case_options(use.lanes, use.families));
+    hash.add(case_options(use.lanes, use.families) + use.device.build_options);
     for (const GoldenSet<float>& set : golden_floats().sets) add(set.sampler), add(set.in), add(set.out);
     for (const GoldenMean<float>& mean : golden_floats().means) add(mean.in), add(mean.out);
     return hash.value();
