@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "kernels/shared/host_features.hpp"
-#include "scene/text.hpp"
 #include "lights/light_technique.hpp"
+#include "scene/text.hpp"
 #include "tyndall/error.hpp"
 
 namespace tyndall {

@@ -21,6 +21,8 @@ std::string virtual_light_options(const RenderSettings& s)
     if (s.emission != Sequence::automatic) line += fmt::format(" --emission {}", name_in(sequence_names, s.emission));
     if (s.transmittance != GridTransmittance::march) line += fmt::format(" --transmittance {}", name_in(transmittance_names, s.transmittance));
     if (s.segment_length == SegmentLength::short_) line += " --short";
+    if (s.clamp) line += fmt::format(" --clamp {:g}", *s.clamp);
+    if (s.beam_radius) line += fmt::format(" --beam-radius {:g}", *s.beam_radius);
     if (s.lights) line += fmt::format(" --lights {}", s.lights);
     if (s.selection != Selection::automatic) line += fmt::format(" --select {}", name_in(selection_names, s.selection));
     if (s.selected_lights) line += fmt::format(" --selected {}", s.selected_lights);

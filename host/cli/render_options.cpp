@@ -7,12 +7,13 @@
 #include <functional>
 
 #include "cli/parse_values.hpp"
+#include "lights/light_technique.hpp"
 
 namespace tyndall {
 namespace {
 
 /// An option whose text goes through one of parse_values.hpp's functions; may be given once.
-CLI::Option* add(CLI::App& app, const char* name, const char* type, const char* description, std::function<void(const std::string&)> parse)
+CLI::Option* add(CLI::App& app, const char* name, const char* type, const std::string& description, std::function<void(const std::string&)> parse)
 {
     return app.add_option_function<std::string>(name, std::move(parse), description)->type_name(type);
 }
@@ -49,11 +50,29 @@ void add_layers(CLI::App& app, RenderSettings& settings)
         ->allow_extra_args(false);
 }
 
+/// "vrl: virtual ray lights; ...", from the lights that there are.
+std::string method_help()
+{
+    std::string text;
+    for (const Method method : all_methods()) {
+        const LightTechnique* lights = technique_of(method);
+        text += std::string(method.name()) + ": " + (lights ? std::string(lights->title) + (is_clamped(method) ? ", clamped" : "") + "; " : "path tracing of every layer (vrl)");
+    }
+    return text;
+}
+
+/// What makes virtual lights biased, and how much.
+void add_bias(CLI::App& app, RenderSettings& settings)
+{
+    add(app, "--clamp", "C", "of clamped methods: 1/w^2 of a connection is at most C over the square of the scene's half diagonal; biased (100)",
+        [&](const auto& text) { settings.clamp = parse_number("--clamp", text, 1e-6, 1e12); });
+    add(app, "--beam-radius", "SHARE", "of beams: radius in the first pass, of the scene's half diagonal: .05 or 5%; biased, less from pass to pass (.05)",
+        [&](const auto& text) { settings.beam_radius = parse_share("--beam-radius", text); });
+}
+
 void add_transport(CLI::App& app, RenderSettings& settings)
 {
-    add(app, "--method", "NAME", "vrl, vpl: virtual ray or point lights; path: path tracing of every layer (vrl)", [&](const auto& text) {
-        settings.method = parse_method("--method", text);
-    });
+    add(app, "--method", "NAME", method_help(), [&](const auto& text) { settings.method = parse_method("--method", text); });
     add(app, "--max-depth", "D", "paths have at most D - 1 scattering vertices; -1: no limit (the scene's)",
         [&](const auto& text) { settings.max_depth = text == "-1" ? -1 : integer("--max-depth", text, 1, 1 << 20); });
     add(app, "--light-segments", "WHICH", "all, or first: only those that leave the emitter (all)", [&](const auto& text) {
@@ -74,6 +93,7 @@ void add_transport(CLI::App& app, RenderSettings& settings)
     add(app, "--samples", "N", "samples of every pair of light and eye per pass (1)", [&](const auto& text) { settings.samples_per_pair = integer("--samples", text, 1, 256); });
     add(app, "--skip-thin", "SHARE", "leave media_to_media out if at most this share of what media scatter is scattered there again: .01 or 1% (never)",
         [&](const auto& text) { settings.skip_thin = parse_share("--skip-thin", text); });
+    add_bias(app, settings);
     auto* longer = app.add_flag_callback(
         "--long", [&] { settings.segment_length = SegmentLength::long_; }, "virtual ray lights reach the next surface (default)");
     app.add_flag_callback(

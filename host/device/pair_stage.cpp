@@ -1,23 +1,33 @@
 #include "device/pair_stage.hpp"
 
+#include <cstdio>
 #include <stdexcept>
 
 #include "device/pair_stage_state.hpp"
 
 namespace tyndall {
 
+/// Nine digits tell every float from its neighbours.
+static std::string clamp_option(float clamp)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, " -DCLAMP=%.9ef", static_cast<double>(clamp));
+    return text;
+}
+
 std::string build_options(const PairProgram& program)
 {
     return "-cl-std=CL1.2 -DLANES=" + std::to_string(program.lanes) + " -DFEATURES=" + std::to_string(program.features) + "u -DSAMPLER=" + std::to_string(program.sampler) +
            " -DSEQUENCE=" + std::to_string(program.sequence) + (program.selection ? " -DSELECTION=1" : "") +
-           (program.features & feature_bit::heterogeneous ? " -DTRANSMITTANCE=" + std::to_string(program.transmittance) : "");
+           (program.features & feature_bit::heterogeneous ? " -DTRANSMITTANCE=" + std::to_string(program.transmittance) : "") +
+           (program.clamp > 0 ? clamp_option(program.clamp) : "");
 }
 
 /// Estimates ask neither for samplers nor for what stands between: fewer programs serve more scenes.
 static KernelBuild estimate_build(PairProgram program)
 {
     program.features &= ~(feature_bit::occluders | feature_bit::boundaries | feature_bit::nonconvex_media);
-    program.sampler = program.sequence = program.transmittance = 0, program.selection = false;
+    program.sampler = program.sequence = program.transmittance = 0, program.selection = false, program.clamp = 0;
     return {"estimate_lights", build_options(program), program.features};
 }
 
@@ -27,7 +37,7 @@ std::vector<KernelBuild> kernel_builds(const PairProgram& program)
     std::vector<KernelBuild> builds;
     if (program.features & feature_bit::heterogeneous && program.light_is_line) builds.push_back({"tabulate_lights", own, program.features});
     if (program.features & feature_bit::heterogeneous && program.eyes == EyeKind::segments) builds.push_back({"tabulate_eyes", own, program.features});
-    if (program.features & feature_bit::occluders) builds.insert(builds.end(), {{"sample_pairs", own, program.features}, {"accumulate_pairs", build_options({.lanes = program.lanes}), 0}});
+    if (program.features & feature_bit::occluders) builds.insert(builds.end(), {{"sample_pairs", own, program.features}, {"accumulate_pairs", build_options({.lanes = program.lanes, .clamp = program.clamp}), 0}});
     else builds.push_back({"gather_lights", own, program.features});
     if (program.selection) builds.insert(builds.end(), {estimate_build(program), {"weigh_lights", build_options({.lanes = program.lanes}), 0}, {"pool_shares", build_options({.lanes = program.lanes}), 0}, {"select_lights", build_options({.lanes = program.lanes}), 0}});
     return builds;
@@ -58,14 +68,14 @@ void PairStage::begin(std::span<const std::byte> eyes, std::uint32_t eye_count, 
     state_->eyes.upload(state_->device, eyes);
     state_->light_count = state_->slot_count = state_->set_lights(state_->lights, lights, weights);
     state_->choices.reserve(state_->device, 0);
-    cl::Buffer& sums = state_->sums.reserve(state_->device, std::size_t(eye_count) * 6 * sizeof(float));
+    cl::Buffer& sums = state_->sums.reserve(state_->device, state_->sum_count() * sizeof(float));
     state_->tabulate_segments();
     state_->ledger.upload(state_->device, bytes_of(std::vector<std::uint32_t>(4, 0)));
     const std::size_t bytes = std::max<std::size_t>(std::size_t(eye_count) * sizeof(float), 64);
     cl::Buffer &worst = state_->worst.reserve(state_->device, bytes), &counters = state_->worst_counters.reserve(state_->device, bytes);
     state_->worst_pair = {};
     on_device(state_->device, "clearing sums", [&] {
-        state_->device.queue.enqueueFillBuffer(sums, 0.0f, 0, std::max<std::size_t>(std::size_t(eye_count) * 6 * sizeof(float), 64));
+        state_->device.queue.enqueueFillBuffer(sums, 0.0f, 0, std::max<std::size_t>(state_->sum_count() * sizeof(float), 64));
         state_->device.queue.enqueueFillBuffer(worst, 0.0f, 0, bytes);
         state_->device.queue.enqueueFillBuffer(counters, 0u, 0, bytes);
     });
@@ -148,8 +158,9 @@ void PairStage::wait()
 std::vector<double> PairStage::sums()
 {
     const std::uint32_t lanes = state_->lanes();
-    std::vector<float> raw(std::size_t(state_->eye_count) * 6);
-    std::vector<double> sums(std::size_t(state_->eye_count) * 3);
+    const std::size_t kinds = state_->program.sums_of_eye(), eyes = state_->eye_count;
+    std::vector<float> raw(state_->sum_count());
+    std::vector<double> sums(eyes * kinds * 3);
     if (raw.empty()) return sums;
     std::array<std::uint32_t, 4> counted{};
     std::vector<float> worst(state_->eye_count);
@@ -164,10 +175,10 @@ std::vector<double> PairStage::sums()
     state_->ledger_so_far.add(counted);
     const auto eye_of_worst = static_cast<std::uint32_t>(std::max_element(worst.begin(), worst.end()) - worst.begin());
     state_->worst_pair = {.eye = eye_of_worst, .slot = counters[eye_of_worst] / state_->program.samples, .value = double(worst[eye_of_worst])};
-    for (std::size_t eye = 0; eye < state_->eye_count; ++eye) {
-        const std::size_t group = eye / lanes, lane = eye % lanes;
+    for (std::size_t i = 0; i < eyes * kinds; ++i) {
+        const std::size_t eye = i / kinds, kind = i % kinds, group = eye / lanes * kinds + kind, lane = eye % lanes;
         for (std::size_t c = 0; c < 3; ++c)
-            sums[eye * 3 + c] = double(raw[(group * 6 + 2 * c) * lanes + lane]) + double(raw[(group * 6 + 2 * c + 1) * lanes + lane]);
+            sums[i * 3 + c] = double(raw[(group * 6 + 2 * c) * lanes + lane]) + double(raw[(group * 6 + 2 * c + 1) * lanes + lane]);
     }
     return sums;
 }

@@ -31,6 +31,10 @@ struct PairProgram {
     std::uint32_t samples = 1;                ///< per pair; contributions are their sum
     bool selection = false;                   ///< eyes connect to the lights that were chosen for them
     int transmittance = 0;                    ///< kernels/shared/transmittance_modes.h; means something with HETEROGENEOUS only
+    float clamp = 0;                          ///< kernels/shared/clamp.h: bound of 1 / w^2; 0: none
+
+    /// Per eye: of what arrives and, with a clamp, of what it took away.
+    std::uint32_t sums_of_eye() const { return clamp > 0 ? 2 : 1; }
 };
 
 /// Tables that do not change during a render.
@@ -49,7 +53,7 @@ struct PairTile {
     std::uint32_t first_group = 0, groups = 0, first_light = 0, lights = 0;
 };
 
-/// A sampled tile as the host sees it: one packet per 16 eyes and pair, in rows of 16 eyes; contributions [group][pair][r g b][lane].
+/// A sampled tile as the host sees it: one packet per 16 eyes and pair, in rows of 16 eyes; contributions [group][pair][r g b][lane], with a clamp [r g b of what is kept, r g b of what it removed].
 struct SampledTile {
     std::span<ShadowPacket> packets;
     std::span<float> contributions;
@@ -141,7 +145,7 @@ public:
 
     /// Until everything that was started is done.
     void wait();
-    /// Waits; r, g, b per eye, sums over lights and samples.
+    /// Waits; r, g, b per eye, sums over lights and samples; with a clamp each is followed by r, g, b of what it removed.
     std::vector<double> sums();
     /// Of the set whose sums were taken last.
     WorstPair worst() const;

@@ -71,7 +71,8 @@ struct PairStage::State {
     std::uint32_t lanes() const { return static_cast<std::uint32_t>(program.lanes); }
     std::uint32_t pairs_in(const PairTile& tile) const { return tile.lights * program.samples; }
     std::size_t packet_count(const PairTile& tile) const { return std::size_t(tile.groups) * lanes() / SHADOW_PACKET_SIZE * pairs_in(tile); }
-    std::size_t contribution_count(const PairTile& tile) const { return std::size_t(tile.groups) * lanes() * pairs_in(tile) * 3; }
+    std::size_t contribution_count(const PairTile& tile) const { return std::size_t(tile.groups) * lanes() * pairs_in(tile) * 3 * program.sums_of_eye(); }
+    std::size_t sum_count() const { return std::size_t(eye_count) * 6 * program.sums_of_eye(); }
 
     void build(const KernelBuild& wanted)
     {

@@ -71,7 +71,7 @@ private:
                 const bool collides = flight.collided && flight.piece == i;
                 deposit(LightPathSegment{.origin = ray_.origin + lit.start * ray_.direction, .direction = ray_.direction, .length = lit.length, .medium = piece.medium,
                                          .flux = flux, .depth = depth_, .is_short = is_short, .channel = is_short ? share * before : Rgb(0),
-                                         .collision = collides ? std::max(flight.t - lit.start, 0.0) : -1, .scattered = collides ? throughput_ * flight.weight : Rgb(0)});
+                                         .collision = collides ? std::max(flight.t - lit.start, 0.0) : -1, .radius = settings_.radius, .scattered = collides ? throughput_ * flight.weight : Rgb(0)});
             }
             if (ends_here) return;
             before *= glm::exp(-lit.whole);

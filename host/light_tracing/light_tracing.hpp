@@ -18,6 +18,7 @@ struct LightTracingSettings {
     SegmentLength segment_length = SegmentLength::long_;
     bool even = true;                  ///< their first numbers are scrambled Sobol points; false: independent
     bool pilot = false;                ///< count only, from numbers of its own
+    double radius = 0;                 ///< of thick lights in this pass, in render space
 };
 
 struct VirtualLights {

@@ -20,16 +20,19 @@ struct LightPathSegment {
     bool is_short;
     Rgb channel;              ///< if short: probability that each channel chose the distance x its transmittance up to the origin
     double collision;         ///< distance of the path's own collision, where it goes on in another direction; negative: it leaves the piece
+    double radius;            ///< that thick lights have in this pass
     Rgb scattered;            ///< power that it takes on from there: flux x transmittance x sigma_s / density of the collision; 0 without one
 };
 
 struct LightTechnique {
     std::string_view method;   ///< as --method calls it
+    std::string_view clamped_method;  ///< as it calls the same lights with bounded connections; empty: there are none
     std::string_view name;     ///< file name in kernels/lights and host/lights
     std::string_view title;    ///< for people, in the plural
     std::size_t record_bytes;  ///< size of its record `Light`
     bool is_line;              ///< LIGHT_IS_LINE of its kernels: it shines from everywhere along a segment, and --short means something
-    bool unbiased;
+    bool is_thick;             ///< its records have a radius, which falls from pass to pass
+    bool unbiased;             ///< unless clamped
     std::string_view surface_sampler, surface_sampler_why;  ///< how a surface point's place on it is drawn, and why so
     /// Appends the records that a segment leaves.
     void (*deposit)(const LightPathSegment& segment, std::vector<std::byte>& records);
@@ -40,6 +43,9 @@ std::span<const LightTechnique> light_techniques();
 
 /// The technique that carries what media scatter by that method; null for path tracing. Throws UsageError for a method that no technique has.
 const LightTechnique* technique_of(Method method);
+
+/// Does the method bound the connections of its lights?
+bool is_clamped(Method method);
 
 inline bool uses_virtual_lights(Method method) { return technique_of(method) != nullptr; }
 

@@ -27,6 +27,7 @@ void deposit_virtual_point_light(const LightPathSegment& s, std::vector<std::byt
 LightTechnique virtual_point_light_technique()
 {
     return {.method = "vpl",
+            .clamped_method = "vpl-clamped",
             .name = "virtual_point_light",
             .title = "virtual point lights",
             .record_bytes = sizeof(maths_float::VirtualPointLight),

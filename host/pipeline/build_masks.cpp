@@ -54,7 +54,8 @@ PairProgram pair_program(const LayerPlan& plan, const RenderSettings& settings, 
             .sequence = choose_sequence(settings.sequence, settings.samples_per_pair),
             .samples = static_cast<std::uint32_t>(settings.samples_per_pair),
             .selection = plan.selection.chosen,
-            .transmittance = settings.transmittance == GridTransmittance::exact ? TRANSMITTANCE_EXACT : TRANSMITTANCE_MARCH};
+            .transmittance = settings.transmittance == GridTransmittance::exact ? TRANSMITTANCE_EXACT : TRANSMITTANCE_MARCH,
+            .clamp = static_cast<float>(plan.clamp)};
 }
 
 std::uint32_t case_families(const LayerPlan& plan, const RenderSettings& settings, const BuildMasks& masks)

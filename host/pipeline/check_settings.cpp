@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "lights/light_technique.hpp"
 #include "tyndall/error.hpp"
 
 namespace tyndall {
@@ -11,6 +12,31 @@ namespace {
 void require(bool holds, const std::string& sentence)
 {
     if (!holds) throw UsageError(sentence);
+}
+
+bool is_thick(Method method)
+{
+    const LightTechnique* technique = technique_of(method);
+    return technique && technique->is_thick;
+}
+
+/// "a or b": the methods of which it is true.
+std::string methods_that(bool (*holds)(Method))
+{
+    std::string names;
+    for (const Method method : all_methods())
+        if (holds(method)) names += (names.empty() ? "" : " or ") + std::string(method.name());
+    return names;
+}
+
+/// What only some methods have.
+void require_of_method(const RenderSettings& s)
+{
+    const std::string method(s.method.name());
+    require(!s.clamp || (std::isfinite(*s.clamp) && *s.clamp > 0), "the clamp must be a finite number above 0");
+    require(!s.clamp || is_clamped(s.method), "--clamp bounds the connections of a clamped method, and \"" + method + "\" is none; use --method " + methods_that(is_clamped));
+    require(!s.beam_radius || (std::isfinite(*s.beam_radius) && *s.beam_radius > 0 && *s.beam_radius <= 1), "the beam radius must be above 0 and at most 1: a share of the scene's half diagonal");
+    require(!s.beam_radius || is_thick(s.method), "--beam-radius is for lights that are thick, and those of \"" + method + "\" are not; use --method " + methods_that(is_thick));
 }
 
 }  // namespace
@@ -36,6 +62,7 @@ void check_settings(const RenderSettings& s)
     require(s.selection_defence <= 1, "the share of lights that are chosen by power must be at most 1");
     require(s.camera_samples >= 0 && s.camera_samples <= 64, "camera samples = " + std::to_string(s.camera_samples) + " per pass must lie between 1 and 64 (0: by rule)");
     require(s.skip_thin >= 0 && s.skip_thin < 1, "the share of light that may be left out must be at least 0 and less than 1");
+    require_of_method(s);
     require(!s.layers.empty(), "no layer is left to render");
 }
 

@@ -33,9 +33,6 @@ EyeBatch batch_of(const std::vector<Eye>& eyes)
     return batch;
 }
 
-/// Adds what lights send to eye i.
-void add(const std::vector<double>& sums, std::size_t i, double share, Rgb& pixel) { pixel += Rgb(sums[3 * i], sums[3 * i + 1], sums[3 * i + 2]) * share; }
-
 /// Some of the blocks: their eyes as records, and their places counted from the first of them.
 template <typename Eye>
 struct BlockBatch {
@@ -57,6 +54,16 @@ struct BlockBatch {
 };
 
 }  // namespace
+
+void EyeConnector::add(const std::vector<double>& sums, std::size_t eye, double share, Rgb& pixel)
+{
+    const std::size_t kinds = settings_.sums_of_eye, first = 3 * kinds * eye;
+    const Rgb kept = Rgb(sums[first], sums[first + 1], sums[first + 2]) * share;
+    pixel += kept;
+    if (kinds < 2) return;
+    const Rgb removed = Rgb(sums[first + 3], sums[first + 4], sums[first + 5]) * share;
+    kept_ += kept.r + kept.g + kept.b, removed_ += removed.r + removed.g + removed.b;
+}
 
 template <typename Eye>
 void EyeConnector::note_worst(const PairStage& stage, std::span<const Eye> eyes, double share)

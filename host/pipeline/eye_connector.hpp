@@ -34,12 +34,16 @@ public:
         double radiance = 0;
     };
     const Worst& worst() const { return worst_; }
+    /// Share of the light of all passes that the clamp took away; negative: no clamp.
+    double removed_share() const { return settings_.sums_of_eye < 2 ? -1 : removed_ > 0 ? removed_ / (removed_ + kept_) : 0; }
 
     std::vector<const PairStage*> stages() const { return crew_.stages(); }
     const ConnectSettings& settings() const { return settings_; }
     std::vector<std::string> warnings() const { return crew_.warnings(); }
 
 private:
+    /// Adds an eye's sums to its pixel.
+    void add(const std::vector<double>& sums, std::size_t eye, double share, Rgb& pixel);
     template <typename Eye>
     void note_worst(const PairStage& stage, std::span<const Eye> eyes, double share);
     template <typename Eye>
@@ -58,6 +62,7 @@ private:
     int film_width_;
     std::mutex worst_guard_;
     Worst worst_;
+    double removed_ = 0, kept_ = 0;  ///< sums over channels, eyes and passes
 };
 
 }  // namespace tyndall

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "pipeline/choose_sampler.hpp"
 #include "scene/thin_media.hpp"
@@ -68,6 +69,24 @@ void plan_media_to_surface(const SceneFeatures& features, LayerPlan& plan)
                                        : "the surfaces are plastic, rough metal or rough glass, where the kernels know no lobes";
 }
 
+constexpr double usual_clamp = 100, usual_radius = .05;  ///< connections shorter than a tenth, beams of a twentieth of the scene's half diagonal
+
+/// What makes the lights biased, in words, and its numbers in the plan.
+std::string plan_bias(const Scene& scene, const RenderSettings& settings, LayerPlan& plan)
+{
+    if (!plan.technique) return {};
+    const double size = bounds_of(scene).radius();
+    if (is_clamped(settings.method)) {
+        const double clamp = settings.clamp.value_or(usual_clamp);
+        plan.clamp = size > 0 ? clamp / (size * size) : clamp;
+        return fmt::format("1/w^2 of a connection is at most {:g} over the square of the scene's half diagonal: light over less than {:.3g} of it is dimmed", clamp, 1 / std::sqrt(clamp));
+    }
+    if (!plan.technique->is_thick) return {};
+    const double radius = settings.beam_radius.value_or(usual_radius);
+    plan.radius = size > 0 ? radius * size : radius;
+    return fmt::format("beams have a radius of {:.3g} of the scene's half diagonal in the first pass, which falls as the cube root of the pass", radius);
+}
+
 /// How places are drawn in a layer of virtual lights.
 void name_sampler(Layer layer, const LightTechnique& lights, const ChosenSampler& chosen, LayerReport& report)
 {
@@ -97,6 +116,7 @@ LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const R
 {
     const ChosenSampler chosen = choose_sampler(scene, features, settings.sampler);
     LayerPlan plan{.technique = technique_of(settings.method), .selection = plan_selection(settings, scene.camera), .sampler = chosen.sampler};
+    const std::string bias = plan_bias(scene, settings, plan);
     for (std::size_t l = 0; l < layer_count; ++l) {
         const Layer layer = static_cast<Layer>(l);
         const LightTechnique* lights = settings.path_layers.contains(layer) ? nullptr : plan.technique;
@@ -113,7 +133,8 @@ LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const R
         plan.reports.push_back(report);
         if (report.skipped) continue;
         if (lights && (layer != Layer::media_to_surface || features.surfaces_in_reach)) name_sampler(layer, *lights, chosen, plan.reports.back());
-        if (lights && (layer == Layer::media_to_media || layer == Layer::media_to_surface)) plan.reports.back().unbiased = lights->unbiased;
+        if (lights && (layer == Layer::media_to_media || (layer == Layer::media_to_surface && features.surfaces_in_reach)))
+            plan.reports.back().unbiased = bias.empty(), plan.reports.back().bias = bias;
         if (lights && layer == Layer::media_to_media) plan.media_to_media = true;
         else if (lights && layer == Layer::media_to_surface) plan_media_to_surface(features, plan);
         else if (lights && layer == Layer::single) plan.single = true;

@@ -12,6 +12,8 @@ namespace tyndall {
 
 struct LayerPlan {
     const LightTechnique* technique = nullptr;              ///< of the virtual lights; null: path tracing
+    double clamp = 0;                                       ///< bound of a connection's 1 / w^2 in render space; 0: none
+    double radius = 0;                                      ///< of thick lights in the first pass, in render space
     bool media_to_media = false, media_to_surface = false;  ///< by virtual lights
     bool single = false;                                    ///< by equi-angular light sampling
     LayerSet path_traced;                                   ///< by the path tracer

@@ -1,10 +1,13 @@
 #include "pipeline/pass_renderer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <future>
 #include <numeric>
 
+#include "lights/progressive_radius.hpp"
 #include "path_tracing/path_tracing.hpp"
 #include "path_tracing/single_scattering.hpp"
 #include "pipeline/explain.hpp"
@@ -99,7 +102,7 @@ std::unique_ptr<EyeConnector> PassRenderer::make_connector(EyeKind kind)
     const int lanes = lanes_of(settings_, devices_.front());
     const PairProgram program = pair_program(plan_, settings_, kind, masks_, lanes);
     const std::uint32_t limit = max_depth_ < 0 ? 0xffffffffu : static_cast<std::uint32_t>(std::max(max_depth_ - 1, 0));
-    const ConnectSettings connect{.features = program.features, .samples = program.samples, .vertex_limit = limit, .tile_pairs = settings_.tile_pairs, .lanes = lanes};
+    const ConnectSettings connect{.features = program.features, .samples = program.samples, .vertex_limit = limit, .tile_pairs = settings_.tile_pairs, .lanes = lanes, .sums_of_eye = program.sums_of_eye()};
     std::vector<PairStage> stages;
     for (Device& device : devices_) stages.emplace_back(device, program, media_tables(scene_, features_));
     return std::make_unique<EyeConnector>(std::move(stages), connect, plan_.selection, scene_.camera.crop_width);
@@ -111,7 +114,8 @@ void PassRenderer::add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes
     const VirtualLights lights = clock_.time("trace_lights", [&] {
         return trace_lights(scene_, visibility_, *plan_.technique,
                             {.seed = settings_.seed, .pass = pass, .paths = light_paths_, .max_depth = max_depth_, .light_segments = settings_.light_segments,
-                             .segment_length = settings_.segment_length, .even = settings_.emission != Sequence::random});
+                             .segment_length = settings_.segment_length, .even = settings_.emission != Sequence::random,
+                             .radius = progressive_radius(plan_.radius, pass)});
     });
     const std::uint64_t key = mix_bits(mix_bits(settings_.seed) + pass);
     virtual_lights_ += lights.count, eye_segments_ += eyes.segments.size(), eye_points_ += eyes.points.size();
@@ -160,9 +164,21 @@ void PassRenderer::add_savings(Report& report) const
     report.savings = savings_of(features_, plan_, masks_, pairs);
 }
 
+void PassRenderer::add_bias(Report& report) const
+{
+    for (LayerReport& layer : report.layers) {
+        if (layer.bias.empty()) continue;
+        const auto& connector = layer.layer == name(Layer::media_to_media) ? to_segments_ : to_points_;
+        if (connector) layer.removed = connector->removed_share();
+        if (plan_.technique->is_thick && report.passes > 0)
+            layer.bias += fmt::format("; in the last of {} it was {:.3g} times as wide", report.passes, progressive_radius(1, static_cast<std::uint64_t>(report.passes - 1)));
+    }
+}
+
 void PassRenderer::fill(Report& report) const
 {
     report.layers = plan_.reports;
+    add_bias(report);
     report.max_depth = max_depth_;
     report.light_paths = light_paths_ * static_cast<std::uint64_t>(report.passes), report.virtual_lights = virtual_lights_;
     report.eye_segments = eye_segments_, report.eye_points = eye_points_;

@@ -54,6 +54,7 @@ private:
     std::uint64_t programs_built() const;
     void add_savings(Report& report) const;
     void add_connector(const EyeConnector& connector, const std::string& layer, Report& report) const;
+    void add_bias(Report& report) const;
     void add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image);
     void note_worst_pair(const EyeConnector::Worst& worst, std::uint64_t pass, Layer layer, PassImage& image);
     void add_host_layers(std::uint64_t pass, PassImage& image);

@@ -23,7 +23,7 @@ Json layers_of(const Explanation& e)
 {
     Json list = Json::array();
     for (const LayerReport& layer : e.layers)
-        list.push_back({{"layer", layer.layer}, {"technique", layer.technique}, {"skipped", layer.skipped}, {"why", layer.why}, {"unbiased", layer.unbiased},
+        list.push_back({{"layer", layer.layer}, {"technique", layer.technique}, {"skipped", layer.skipped}, {"why", layer.why}, {"unbiased", layer.unbiased}, {"bias", layer.bias},
                         {"sampler", layer.sampler}, {"sampler_why", layer.sampler_why}});
     return list;
 }

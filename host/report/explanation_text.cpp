@@ -45,6 +45,7 @@ void add_layers(Text& text, const Explanation& e)
     add(text, "layers");
     for (const LayerReport& layer : e.layers) {
         add(text, "  {:<26} {}{}", layer.layer, layer.skipped ? "skipped: " : layer.technique + (layer.why.empty() ? "" : ": "), terminal_safe(layer.why));
+        if (!layer.bias.empty()) add(text, "  {:<26}   biased: {}", "", layer.bias);
         if (!layer.sampler.empty()) add(text, "  {:<26}   sampler {}: {}", "", layer.sampler, terminal_safe(layer.sampler_why));
     }
 }

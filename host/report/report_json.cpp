@@ -59,6 +59,8 @@ Json layers_of(const Report& report)
                           {"sampler", layer.sampler},
                           {"sampler_why", layer.sampler_why},
                           {"unbiased", layer.unbiased},
+                          {"bias", layer.bias},
+                          {"removed_by_clamp", layer.removed < 0 ? Json(nullptr) : number(layer.removed)},
                           {"error", layer.error < 0 ? Json(nullptr) : number(layer.error)},
                           {"left_out", layer.left_out > 0 ? number(layer.left_out) : Json(nullptr)}});
     return layers;

@@ -94,6 +94,8 @@ void add_layers(Text& table, const Report& report)
         const auto what = layer.skipped ? "skipped: " + terminal_safe(layer.why) + (layer.unbiased ? "" : "; the image is too dark by that much") : layer.technique + (layer.unbiased ? "" : " (biased)");
         const auto error = layer.error >= 0 && std::isfinite(layer.error) ? ", error " + readable_percent(layer.error) : "";
         fmt::format_to(std::back_inserter(table), "  {:<26} {}{}\n", layer.layer, what, error);
+        if (!layer.bias.empty()) fmt::format_to(std::back_inserter(table), "  {:<26}   biased: {}\n", "", layer.bias);
+        if (layer.removed >= 0) fmt::format_to(std::back_inserter(table), "  {:<26}   clamping removed {} of its light\n", "", readable_percent(layer.removed));
     }
 }
 

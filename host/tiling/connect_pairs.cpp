@@ -34,7 +34,7 @@ std::vector<PairTile> tiles_of(std::uint32_t groups, std::uint32_t lights, std::
 
 /// Multiplies the contributions of one packet by the transmittance of their connections, through null boundaries.
 std::uint64_t walk_packet(const Visibility& visibility, const ShadowPacket& packet, std::span<const int> media, std::span<float> contributions, std::size_t lanes,
-                          std::size_t first, std::size_t group_stride)
+                          std::size_t first, std::size_t group_stride, std::size_t channels)
 {
     std::uint64_t asked = 0;
     for (std::size_t i = 0; i < SHADOW_PACKET_SIZE; ++i) {
@@ -43,7 +43,7 @@ std::uint64_t walk_packet(const Visibility& visibility, const ShadowPacket& pack
         const Vec3 from{packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]};
         const Vec3 to = from + Vec3{packet.direction_x[i], packet.direction_y[i], packet.direction_z[i]};
         const Rgb through = visibility.transmittance(from, media[i], to);
-        for (std::size_t c = 0; c < 3; ++c) contributions[first + i / lanes * group_stride + c * lanes + i % lanes] *= static_cast<float>(through[static_cast<int>(c)]);
+        for (std::size_t c = 0; c < channels; ++c) contributions[first + i / lanes * group_stride + c * lanes + i % lanes] *= static_cast<float>(through[static_cast<int>(c % 3)]);
     }
     return asked;
 }
@@ -51,13 +51,13 @@ std::uint64_t walk_packet(const Visibility& visibility, const ShadowPacket& pack
 /// Answers a tile's shadow segments; returns how many were asked.
 std::uint64_t answer(const Visibility& visibility, const SampledTile& sampled, const PairTile& tile, const EyeBatch& eyes, const ConnectSettings& settings)
 {
-    const std::size_t lanes = static_cast<std::size_t>(settings.lanes), pairs = std::size_t(tile.lights) * settings.samples;
+    const std::size_t lanes = static_cast<std::size_t>(settings.lanes), pairs = std::size_t(tile.lights) * settings.samples, channels = 3 * settings.sums_of_eye;
     std::atomic<std::uint64_t> asked{0};
     if (settings.features & feature_bit::nonconvex_media) {
         tbb::parallel_for(std::size_t(0), sampled.packets.size(), [&](std::size_t p) {
             const std::size_t row = p / pairs, pair = p % pairs, group = row * SHADOW_PACKET_SIZE / lanes;
             const std::span<const int> media(eyes.media.data() + std::size_t(tile.first_group) * lanes + row * SHADOW_PACKET_SIZE, SHADOW_PACKET_SIZE);
-            asked += walk_packet(visibility, sampled.packets[p], media, sampled.contributions, lanes, (group * pairs + pair) * 3 * lanes, pairs * 3 * lanes);
+            asked += walk_packet(visibility, sampled.packets[p], media, sampled.contributions, lanes, (group * pairs + pair) * channels * lanes, pairs * channels * lanes, channels);
         });
         return asked;
     }

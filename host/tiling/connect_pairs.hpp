@@ -33,6 +33,7 @@ struct ConnectSettings {
     std::uint32_t features = 0, samples = 1, vertex_limit = 0xffffffffu;
     std::uint32_t tile_pairs = 0;  ///< 0: default for the pipeline
     int lanes = 1;
+    std::uint32_t sums_of_eye = 1;  ///< PairProgram's
 };
 
 struct ConnectCounts {
@@ -40,7 +41,7 @@ struct ConnectCounts {
     double visibility_seconds = 0;
 };
 
-/// Sum over all lights, or over those that `selection` has chosen, of what they send to each eye: r, g, b per eye. Byte-equal for every tile size.
+/// Sum over all lights, or over those that `selection` has chosen, of what they send to each eye: r, g, b per eye, as PairStage::sums gives them. Byte-equal for every tile size.
 std::vector<double> connect_pairs(PairStage& stage, const Visibility& visibility, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings,
                                   ConnectCounts& counts, const LightSelection* selection = nullptr);
 

@@ -19,6 +19,8 @@ LAYOUT(VirtualPointLight, 48)
 typedef VirtualPointLight Light;
 
 enum { LIGHT_IS_LINE = 0 };
+PURE uint light_medium(VirtualPointLight light) { return light.medium; }
+PURE uint light_depth(VirtualPointLight light) { return light.depth; }
 PURE real3 light_origin(VirtualPointLight light) { return make_real3((real)light.position_x, (real)light.position_y, (real)light.position_z); }
 PURE real3 light_direction(VirtualPointLight light) { return make_real3((real)light.direction_x, (real)light.direction_y, (real)light.direction_z); }
 PURE float light_length(VirtualPointLight light) { return 0.0f; }

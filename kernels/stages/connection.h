@@ -76,7 +76,7 @@ PURE real3 counted_radiance(Eye eye, const EyeGroup* around, __global const Ligh
     SlotLight slot = light_in_slot(around, counter / samples);
     if (SELECTION) c.radiance = scale3(c.radiance, (real)slot.weight);
     if (DEPTH_LIMIT) {
-        mask allowed = to_mask(eye.depth + lights[slot.number].depth + 2u <= vertex_limit);
+        mask allowed = to_mask(eye.depth + light_depth(lights[slot.number]) + 2u <= vertex_limit);
         c.radiance = select3(make_real3(R(0.0), R(0.0), R(0.0)), c.radiance, allowed);
     }
     if (any_lane(c.floored)) atomic_add(&ledger[3], count_lanes(c.floored));
@@ -110,6 +110,17 @@ PURE void keep_worst(Worst w, uint group, __global float* worst, __global uint* 
     if (!any_lane(larger)) return;
     store_lanes(select(before, w.value, larger), group, worst);
     store_bits(select_bits(load_bits(worst_counters, group), w.counter, larger), group, worst_counters);
+}
+
+/// A connection's radiance and the part of it that the clamp takes away (kernels/README.md, eq. 61).
+typedef struct { real3 kept, removed; } ClampedRadiance;
+PURE ClampedRadiance clamped_radiance(Connection c, real3 radiance)
+{
+    ClampedRadiance r = {radiance, make_real3(R(0.0), R(0.0), R(0.0))};
+    if (!CLAMPS) return r;
+    real share = fmin(c.length * c.length * (real)CLAMP, R(1.0));
+    r.removed = scale3(radiance, R(1.0) - share), r.kept = scale3(radiance, share);
+    return r;
 }
 
 /// Running sums of one group: for c = r, g, b the lanes of `high`, then of `low`.

@@ -22,7 +22,7 @@ PURE float density_around(Surroundings s, Light light, uint number)
 PURE real allowed_estimate(Eye eye, Light light, real estimate, uint vertex_limit)
 {
     if (!DEPTH_LIMIT) return estimate;
-    return select(R(-1.0), estimate, to_mask(eye.depth + light.depth + 2u <= vertex_limit));
+    return select(R(-1.0), estimate, to_mask(eye.depth + light_depth(light) + 2u <= vertex_limit));
 }
 
 /// Lights first ... first + count - 1; estimates and powers are counted from the first of them. weights: what each light counts for, 1 unless it was chosen.

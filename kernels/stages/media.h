@@ -2,7 +2,7 @@
 #ifndef MEDIA_H
 #define MEDIA_H
 
-PURE MediumRecord medium_of(Surroundings s, Light light) { return s.media[MANY_MEDIA ? light.medium : 0u]; }
+PURE MediumRecord medium_of(Surroundings s, Light light) { return s.media[MANY_MEDIA ? light_medium(light) : 0u]; }
 
 /// The media of a group of eyes, each once.
 typedef struct {

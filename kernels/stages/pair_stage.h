@@ -16,6 +16,7 @@
 #include "kernels/shared/shadow_packet.h"
 #include "kernels/shared/eye_block.h"
 #include "kernels/shared/light_choice.h"
+#include "kernels/shared/clamp.h"
 #include "kernels/volumes/grid_walk.h"
 #include "kernels/volumes/grid_lookup.h"
 #include "kernels/volumes/grid_march.h"

@@ -23,8 +23,10 @@ __kernel void sample_pairs(__global const EyeRecord* eyes, uint first_group, uin
         for (uint i = 0; i < batch; ++i) {
             Connection c = connections[i];
             c.radiance = counted_radiance(eye, &around, lights, c, samples, vertex_limit, counter + i, ledger);
-            __global float* contribution = contributions + (local_group * pairs + pair + i) * 3u * LANES;
-            store_lanes(c.radiance.x, 0, contribution), store_lanes(c.radiance.y, 1, contribution), store_lanes(c.radiance.z, 2, contribution);
+            ClampedRadiance r = clamped_radiance(c, c.radiance);
+            __global float* contribution = contributions + (local_group * pairs + pair + i) * 3u * SUMS_OF_EYE * LANES;
+            store_lanes(r.kept.x, 0, contribution), store_lanes(r.kept.y, 1, contribution), store_lanes(r.kept.z, 2, contribution);
+            if (CLAMPS) store_lanes(r.removed.x, 3, contribution), store_lanes(r.removed.y, 4, contribution), store_lanes(r.removed.z, 5, contribution);
             store_shadow_segment(c, packets + packet_row + pair + i, offset);
         }
     }

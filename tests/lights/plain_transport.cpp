@@ -90,25 +90,25 @@ Pair swapped(const Pair& p)
     return q;
 }
 
-glm::dvec3 transport(const Pair& p)
+glm::dvec3 transport(const Pair& p, const Geometry& geometry)
 {
     return p.flux * p.sigma_s * p.sigma_s * integrate(p.light_length, [&](double v) {
         return along_light(p, v) * integrate(p.eye_length, [&](double u) {
             const glm::dvec3 d = p.o + u * p.a - (p.p + v * p.b);  // from the light to the eye segment
             const double w = glm::length(d);
             const double both = phase(p, glm::dot(p.b, d / w)) * phase(p, glm::dot(d / w, -p.a));
-            return glm::exp(-p.sigma_t * (u + w)) * (both / (w * w));
+            return glm::exp(-p.sigma_t * (u + w)) * (both * (geometry ? geometry(w) : 1 / (w * w)));
         });
     });
 }
 
-glm::dvec3 transport(const SurfacePair& s)
+glm::dvec3 transport(const SurfacePair& s, const Geometry& geometry)
 {
     const Pair& p = s.light;
     return p.flux * p.sigma_s * integrate(p.light_length, [&](double v) {
         const glm::dvec3 d = s.x - (p.p + v * p.b);
         const double w = glm::length(d), cosine = std::max(glm::dot(s.n, -d / w), 0.0);
-        return along_light(p, v) * glm::exp(-p.sigma_t * w) * (phase(p, glm::dot(p.b, d / w)) * cosine / (w * w));
+        return along_light(p, v) * glm::exp(-p.sigma_t * w) * (phase(p, glm::dot(p.b, d / w)) * cosine * (geometry ? geometry(w) : 1 / (w * w)));
     });
 }
 

@@ -28,10 +28,13 @@ Pair as_float(Pair pair);
 /// Eye and light exchange their roles.
 Pair swapped(const Pair& pair);
 
+/// What stands for 1 / w^2; empty: that.
+using Geometry = std::function<double(double)>;
+
 /// Integral over both segments of flux sigma_s^2 f f T / w^2, composite Gauss-Legendre.
-glm::dvec3 transport(const Pair& pair);
+glm::dvec3 transport(const Pair& pair, const Geometry& geometry = {});
 /// Integral over the light of flux sigma_s f T max(n . omega, 0) / w^2.
-glm::dvec3 transport(const SurfacePair& pair);
+glm::dvec3 transport(const SurfacePair& pair, const Geometry& geometry = {});
 
 /// The same for a point light at the pair's `p` that scatters the power `flux`, lit along `b`: one integral over the eye segment of flux sigma_s f f T / w^2, and flux f T
 /// max(n . omega, 0) / w^2.

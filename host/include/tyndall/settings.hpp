@@ -97,6 +97,8 @@ struct RenderSettings {
     double selection_defence = -1;     ///< share of the choice that goes by power alone, in [0, 1]; negative: by rule
     int camera_samples = 0;            ///< per pixel and pass, for virtual lights; 0: by rule
     double skip_thin = 0;              ///< leave media_to_media out if at most this share of what media scatter is scattered there again (biased); 0: never
+    std::optional<double> clamp;       ///< of the clamped methods: no connection's 1 / w^2 is more than this over the square of the scene's half diagonal (biased); none: by rule
+    std::optional<double> beam_radius; ///< of methods with thick lights, in the first pass: a share of the scene's half diagonal (biased); none: by rule
     bool selftest = true;              ///< golden cases before a device renders for the first time; false: at the user's own risk
 };
 
