@@ -24,6 +24,7 @@ struct Request {
     RenderCommand render;
     ExplainCommand explain;
     CompareCommand compare;
+    MergeCommand merge;
     InfoCommand info;
     DevicesCommand devices;
     SelftestCommand selftest;
@@ -37,6 +38,8 @@ constexpr const char* examples = R"(Examples:
   tyndall explain scene.xml                      what would be simulated, why, and how long it takes
   tyndall compare a.exr b.exr --tolerance 1%     how far an image is from another
   tyndall compare scene.xml --times 1,6 -o page  methods at equal time, as a page to look at
+  tyndall render scene.xml -p 400 --shard 3/16   a part of the passes, for another machine
+  tyndall merge *.shard -o fog.exr               one image from all the parts
   tyndall info scene.xml                         what the file says
   tyndall devices                                where it can run
   tyndall bench                                  how fast that is
@@ -79,6 +82,7 @@ void declare(CLI::App& app, Request& request)
     auto* explain = app.add_subcommand("explain", "Says what `render` with the same options would simulate, what not and why, with memory and time");
     add_explain_options(*explain, request.explain);
     add_compare_options(*app.add_subcommand("compare", "Sets two images, or methods at equal time, side by side"), request.compare);
+    add_merge_options(*app.add_subcommand("merge", "Makes one image of the shards of a render, byte-equal to one run"), request.merge);
     auto* info = app.add_subcommand("info", "Prints what was read from a scene");
     info->add_option("scene", request.info.scene, "scene file, Mitsuba 3 XML")->required()->type_name("SCENE.XML");
     info->add_flag("--json", request.info.json, "as JSON");
@@ -146,6 +150,7 @@ int run(int argc, char** argv)
         for (int i = 1; i < argc; ++i) request.compare.invocation += " " + shell_quoted(argv[i]);
         return run_compare(request.compare);
     }
+    if (app.got_subcommand("merge")) return run_merge(request.merge);
     if (app.got_subcommand("info")) return run_info(request.info);
     if (app.got_subcommand("selftest")) return run_selftest(request.selftest);
     if (app.got_subcommand("bench")) return run_bench(request.bench);

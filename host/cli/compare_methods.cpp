@@ -66,8 +66,8 @@ Reference make_and_write_reference(const CompareCommand& command, const Scene& s
     if (settings.method == Method::path)
         for (const std::string& sentence : uncarried_light(scene)) made.reference.warnings.push_back("the reference lacks light: " + sentence);
     made.outcome.report.version = version();
-    write_outputs({command.output / "reference.exr", command.output / "reference.png", command.output / "reference.json"}, made.outcome.film, scene.camera,
-                  {.layers = settings.layers, .timestamps = false}, made.outcome.report);
+    write_outputs({command.output / "reference.exr", command.output / "reference.png", command.output / "reference.json"}, made.outcome.film,
+                  {scene.camera.crop_x, scene.camera.crop_y, scene.camera.width, scene.camera.height}, {.timestamps = false}, settings.layers, made.outcome.report);
     return std::move(made.reference);
 }
 
@@ -124,7 +124,8 @@ int compare_methods(CompareCommand& command)
         return render(scene, with_plan(settings, plan_selection(longest, scene.camera)), progress);
     };
     say_how_long(command, candidates.size());
-    const InterruptGuard interrupt;
+    InterruptGuard interrupt;
+    interrupt.expect_writing();
     const Reference reference = command.reference.empty() ? make_and_write_reference(command, scene, render_scene, interrupt) : load_reference(command, scene);
     for (const auto& warning : reference.warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
     const MeasuringPlan plan{.times = command.times, .repeats = command.repeats, .seed = command.settings.seed};

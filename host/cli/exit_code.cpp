@@ -38,6 +38,8 @@ int code_of_current_exception()
         return ends(ExitCode::no_device, error.what());
     } catch (const DeviceError& error) {
         return ends(ExitCode::device_failed, error.what());
+    } catch (const TemporaryError& error) {
+        return ends(ExitCode::temporary, error.what());
     } catch (const IoError& error) {
         return ends(ExitCode::output, error.what());
     } catch (const std::bad_alloc&) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <csignal>
+#include <optional>
 
 #include "cli/exit_code.hpp"
 #include "film/atomic_file.hpp"
@@ -12,15 +13,22 @@
 namespace tyndall {
 namespace {
 
-constexpr std::array handled{SIGINT, SIGTERM, SIGHUP};
+constexpr std::array handled{SIGINT, SIGTERM, SIGHUP, SIGUSR1};
 std::atomic<int> first_signal{0};
+std::atomic<bool> something_to_write{false}, requested{false};
+StopFlag* stop_flag = nullptr;  ///< of the guard that there is
 static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void on_signal(int number)
 {
+    if (number == SIGUSR1) {
+        requested = true;
+        return;
+    }
     int none = 0;
-    if (first_signal.compare_exchange_strong(none, number)) {
-        static constexpr char text[] = "\nstopping after this pass and writing the image; once more to stop at once and write nothing\n";
+    if (first_signal.compare_exchange_strong(none, number) && something_to_write) {
+        stop_flag->raise();
+        static constexpr char text[] = "\nstopping and writing what is there; once more to stop at once and write nothing\n";
         [[maybe_unused]] const auto ignored = ::write(STDERR_FILENO, text, sizeof text - 1);
         return;
     }
@@ -45,7 +53,10 @@ void install(int number, struct sigaction& before)
 
 InterruptGuard::InterruptGuard()
 {
-    first_signal = 0;
+    static std::optional<StopFlag> flag;
+    flag.emplace();
+    stop_flag = &*flag;
+    first_signal = 0, something_to_write = false, requested = false;
     for (std::size_t i = 0; i < handled.size(); ++i) install(handled[i], previous[i]);
 }
 
@@ -55,6 +66,12 @@ InterruptGuard::~InterruptGuard()
 }
 
 int InterruptGuard::signal() const { return first_signal; }
+
+const StopFlag& InterruptGuard::stop() const { return *stop_flag; }
+
+void InterruptGuard::expect_writing() { something_to_write = true; }
+
+bool InterruptGuard::take_request() { return requested.exchange(false); }
 
 void report_write_signals_as_errors()
 {

@@ -1,9 +1,11 @@
 #pragma once
-/// Ctrl-C and friends: the first signal asks for a stop, so that the current pass is finished and written; the second one ends the program
-/// at once, after removing unfinished files.
+/// Ctrl-C and friends: the first signal abandons the pass in progress, so that the passes before it are written; the second one ends the program at once, after removing
+/// unfinished files. Before the first pass there is nothing to write, and the first signal ends the program. SIGUSR1 asks for the image and the checkpoint now.
+#include "tyndall/stop.hpp"
+
 namespace tyndall {
 
-/// From construction to destruction SIGINT, SIGTERM and SIGHUP are handled. One at a time.
+/// From construction to destruction SIGINT, SIGTERM, SIGHUP and SIGUSR1 are handled. One at a time.
 class InterruptGuard {
 public:
     InterruptGuard();
@@ -11,8 +13,14 @@ public:
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-    /// The first signal that came, or 0.
+    /// The first signal that came to stop, or 0.
     int signal() const;
+    /// Raised by that signal.
+    const StopFlag& stop() const;
+    /// From now on there is something to write before the end.
+    void expect_writing();
+    /// Did SIGUSR1 come since the last call?
+    bool take_request();
 };
 
 /// Makes writing beyond a file size limit and to a closed pipe an error that is reported, rather than the end of the process.

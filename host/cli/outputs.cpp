@@ -76,18 +76,26 @@ OutputPaths plan_outputs(const fs::path& scene, const fs::path& output, const fs
     return paths;
 }
 
+fs::path plan_shard(const fs::path& scene, const fs::path& output, int number, int of)
+{
+    const int digits = static_cast<int>(fmt::to_string(of).size());
+    const fs::path file = output.empty() ? fs::path(scene.stem()) += fmt::format(".{:0{}}-of-{}.shard", number, digits, of) : output;
+    if (file.extension() != ".shard") throw UsageError(fmt::format("-o \"{}\": the file of a shard must end in .shard; `tyndall merge` writes the image", output.string()));
+    return file;
+}
+
 void check_outputs(const OutputPaths& paths)
 {
     for (const auto& path : {paths.exr, paths.png, paths.report}) check_writable(path);
 }
 
-void write_outputs(const OutputPaths& paths, const Film& film, const Camera& camera, const OutputOptions& options, Report& report)
+void write_outputs(const OutputPaths& paths, const Film& film, const FilmWindow& window, const ImageWishes& wishes, const LayerSet& asked, Report& report)
 {
-    ExrImage image = to_exr_image(film, {camera.crop_x, camera.crop_y, camera.width, camera.height}, {options.half, options.layers});
-    add_attributes(image, film, report, options.timestamps);
+    ExrImage image = to_exr_image(film, window, {wishes.half, asked});
+    add_attributes(image, film, report, wishes.timestamps);
     write_exr(paths.exr, image);
     const auto beauty = film.beauty();
-    report.exposure = options.exposure ? *options.exposure : automatic_exposure(beauty);
+    report.exposure = wishes.exposure ? *wishes.exposure : automatic_exposure(beauty);
     write_png(paths.png, beauty, film.width(), *report.exposure);
     report.outputs = {paths.exr.string(), paths.png.string(), paths.report.string()};
     write_atomically(paths.report, to_json(report));

@@ -3,9 +3,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "film/film.hpp"
+#include "film/film_image.hpp"
 #include "report/report.hpp"
-#include "scene/scene.hpp"
 
 namespace tyndall {
 
@@ -17,17 +16,19 @@ struct OutputPaths {
 /// have its name with another ending, unless `report` names the latter. Throws UsageError for another ending and for two files of one name.
 OutputPaths plan_outputs(const std::filesystem::path& scene, const std::filesystem::path& output, const std::filesystem::path& report);
 
+/// The shard file: `output` (its name ends in .shard) or, if that is empty, the scene file's stem with the shard's number, "fog.03-of-16.shard". Throws UsageError for another ending.
+std::filesystem::path plan_shard(const std::filesystem::path& scene, const std::filesystem::path& output, int number, int of);
+
 /// Throws IoError if one of them could not be written now, so that nothing is lost after an hour of rendering.
 void check_outputs(const OutputPaths& paths);
 
-struct OutputOptions {
+struct ImageWishes {
     std::optional<double> exposure;  ///< stops; none: automatic
     bool half = false;
-    LayerSet layers;         ///< that were asked for; those that the scene has no light for are written black
     bool timestamps = true;  ///< false: the EXR holds nothing that depends on the clock, so equal renders are byte-equal
 };
 
-/// Writes EXR, PNG and report, each whole or not at all; fills in the report's exposure and outputs. Throws IoError.
-void write_outputs(const OutputPaths& paths, const Film& film, const Camera& camera, const OutputOptions& options, Report& report);
+/// Writes EXR, PNG and report, each whole or not at all; `asked`: layers that were asked for, of which those that the scene has no light for are written black. Fills in the report's exposure and outputs. Throws IoError.
+void write_outputs(const OutputPaths& paths, const Film& film, const FilmWindow& window, const ImageWishes& wishes, const LayerSet& asked, Report& report);
 
 }  // namespace tyndall

@@ -93,6 +93,14 @@ std::pair<int, int> parse_resolution(std::string_view option, const std::string&
     return {static_cast<int>(parse_integer(option, parts[0], 1, 65536)), static_cast<int>(parse_integer(option, parts[1], 1, 65536))};
 }
 
+std::pair<int, int> parse_shard(std::string_view option, const std::string& text)
+{
+    const auto parts = split(text, '/');
+    if (parts.size() != 2) refuse(option, text, "must be a shard and how many there are, for example 3/16");
+    const int of = static_cast<int>(parse_integer(option, parts[1], 1, 65536));
+    return {static_cast<int>(parse_integer(option, parts[0], 1, of)), of};
+}
+
 Crop parse_crop(std::string_view option, const std::string& text)
 {
     const auto parts = split(text, ',');

@@ -26,6 +26,9 @@ double parse_duration(std::string_view option, const std::string& text);
 /// "640x480": width and height, 1 to 65536 each.
 std::pair<int, int> parse_resolution(std::string_view option, const std::string& text);
 
+/// "3/16": a shard and how many there are, 1 to 65536.
+std::pair<int, int> parse_shard(std::string_view option, const std::string& text);
+
 /// "x,y,w,h": pixels from the top left corner.
 Crop parse_crop(std::string_view option, const std::string& text);
 

@@ -43,9 +43,15 @@ std::string progress_text(const Progress& progress)
     return text + fmt::format(", {} left", readable_seconds(progress.seconds_left));
 }
 
+void ProgressView::end_line()
+{
+    if (line_open_) std::fputc('\n', stream_), std::fflush(stream_);
+    line_open_ = false;
+}
+
 ProgressView::~ProgressView()
 {
-    if (line_open_) std::fputc('\n', stream_);
+    end_line();
 }
 
 void ProgressView::show(const Progress& progress)

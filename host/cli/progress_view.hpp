@@ -24,6 +24,8 @@ public:
     ProgressView& operator=(const ProgressView&) = delete;
 
     void show(const Progress& progress);
+    /// Ends the bar's line, if one is open.
+    void end_line();
 
 private:
     void show_bar(const Progress& progress);

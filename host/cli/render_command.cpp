@@ -4,17 +4,16 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
-
 #include "cli/calibrated_lanes.hpp"
+#include "cli/checkpoint.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
 #include "cli/version.hpp"
+#include "cli/write_image.hpp"
+#include "film/atomic_file.hpp"
 #include "pipeline/render.hpp"
 #include "report/readable.hpp"
-#include "report/report_output.hpp"
 #include "tyndall/error.hpp"
 
 namespace tyndall {
@@ -47,67 +46,149 @@ void print_start(const Scene& scene, const RenderSettings& settings, ProgressSty
                passes, time, error);
 }
 
-RenderOutcome render_with_progress(const Scene& scene, const RenderSettings& settings, ProgressStyle style, const InterruptGuard& interrupt)
-{
-    ProgressView view(style, style == ProgressStyle::json ? stdout : stderr, terminal_columns());
-    return render(scene, settings, [&](const Progress& progress, const Film&) {
-        view.show(progress);
-        return interrupt.signal() == 0;
-    });
-}
-
-/// What the pipeline cannot know: the film's ledger, the program's version, the warnings of the scene.
-void complete_report(Report& report, const Film& film, const Scene& scene)
-{
-    report.version = version();
-    report.ledger.not_finite_pixels = film.not_finite().count;
-    for (const auto& pixel : film.not_finite().first_cases)
-        report.ledger.first_cases.push_back(
-            fmt::format("pass {}, layer {}, pixel ({}, {}) was not finite", pixel.pass, name(pixel.layer), pixel.x, pixel.y));
-    for (const auto& warning : scene.warnings)
-        if (std::ranges::find(report.warnings, warning) == report.warnings.end()) report.warnings.push_back(warning);
-}
-
-/// The table, without the warnings that were printed before the render started.
-void print_summary(Report report, const Scene& scene)
-{
-    std::erase_if(report.warnings, [&](const auto& warning) { return std::ranges::find(scene.warnings, warning) != scene.warnings.end(); });
-    fmt::print(stderr, "{}", to_table(report));
-}
-
-void print_outputs(const Report& report, ProgressStyle style)
-{
-    if (style == ProgressStyle::json) {
-        const nlohmann::ordered_json event{{"event", "finished"}, {"stopped_by", report.stopped_by}, {"outputs", report.outputs}};
-        fmt::print("{}\n", event.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-    } else {
-        for (const auto& output : report.outputs) fmt::print("{}\n", output);
+/// One render from its options to its files.
+class RenderJob {
+public:
+    explicit RenderJob(RenderCommand& command)
+        : command_(command),
+          style_(chosen_style(command.progress)),
+          shard_file_(command.shard.whole() ? std::filesystem::path() : plan_shard(command.scene, command.output, command.shard.number, command.shard.of)),
+          paths_(command.shard.whole() ? plan_outputs(command.scene, command.output, command.report) : OutputPaths{}),
+          checkpoint_(checkpoint_of(command.shard.whole() ? paths_.exr : shard_file_), command.checkpoint_seconds),
+          view_(style_, style_ == ProgressStyle::json ? stdout : stderr, terminal_columns())
+    {
     }
-}
+
+    int run()
+    {
+        Scene scene = load_scene(command_.scene, command_.load);
+        if (const auto warning = take_calibrated_lanes(command_.settings); !warning.empty()) scene.warnings.push_back(warning);
+        print_warnings(scene.warnings);
+        override_film(scene.camera, command_.resolution, command_.crop);
+        if (command_.shard.whole()) check_outputs(paths_);
+        else check_writable(shard_file_);
+        RenderControl control{.program = version(), .shard = command_.shard, .earlier = earlier_state(), .earlier_name = checkpoint_.file().string()};
+        command_.settings.stop = &interrupt_.stop();
+        print_start(scene, command_.settings, style_);
+        control.progress = [&](const Progress& progress, const RenderState& state) { return after_pass(progress, state); };
+        const RenderState state = render_state(scene, command_.settings, std::move(control));
+        view_.end_line();
+        if (interrupt_.signal()) return write_unfinished(state);
+        if (command_.shard.whole() && state.passes() == 0) throw Error("no pass was finished, so there is nothing to write; give more --time");
+        write_finished(state, scene);
+        return exit_code(state);
+    }
+
+private:
+    /// What an earlier run left, if --resume asks for it.
+    std::optional<RenderState> earlier_state()
+    {
+        const std::string file = terminal_safe(checkpoint_.file().string());
+        if (command_.resume) {
+            auto state = checkpoint_.read();
+            if (state) fmt::print(stderr, "going on from {}: {} passes are done\n", file, state->passes());
+            else fmt::print(stderr, "there is no {} to go on from: starting with the first pass\n", file);
+            return state;
+        }
+        if (checkpoint_.enabled() && std::filesystem::exists(checkpoint_.file()))
+            fmt::print(stderr, "note: {} is left of an earlier render; --resume would go on from it, this render may write over it\n", file);
+        return std::nullopt;
+    }
+
+    bool after_pass(const Progress& progress, const RenderState& state)
+    {
+        interrupt_.expect_writing();
+        view_.show(progress);
+        if (interrupt_.take_request()) write_now(state);
+        else checkpoint_.after_pass(progress, state);
+        return interrupt_.signal() == 0;
+    }
+
+    /// SIGUSR1: a failure is a warning, the render goes on.
+    void write_now(const RenderState& state)
+    {
+        view_.end_line();
+        try {
+            checkpoint_.save(state);
+            if (command_.shard.whole()) write_image(paths_, state, command_.image);
+            fmt::print(stderr, "wrote what there is after {} passes; the render goes on\n", state.passes());
+        } catch (const IoError& error) {
+            fmt::print(stderr, "warning: {}; the render goes on\n", terminal_safe(error.what()));
+        }
+    }
+
+    int write_unfinished(const RenderState& state)
+    {
+        std::exception_ptr failure;
+        try {
+            checkpoint_.save(state);
+        } catch (const IoError&) {
+            failure = std::current_exception();  // the image may still find room
+        }
+        std::vector<std::string> outputs;
+        if (command_.shard.whole()) {
+            const Report report = write_image(paths_, state, command_.image);
+            if (style_ != ProgressStyle::none) print_summary(report, state.report.warnings);
+            outputs = report.outputs;
+        }
+        if (failure) std::rethrow_exception(failure);
+        if (checkpoint_.enabled()) fmt::print(stderr, "{} passes are in {}; the same command with --resume goes on\n", state.passes(), terminal_safe(checkpoint_.file().string()));
+        print_outputs("interrupt", outputs, style_);
+        return exit_after_signal + interrupt_.signal();
+    }
+
+    void write_finished(const RenderState& state, const Scene& scene)
+    {
+        std::vector<std::string> outputs{shard_file_.string()};
+        try {
+            if (command_.shard.whole()) {
+                const Report report = write_image(paths_, state, command_.image);
+                if (style_ != ProgressStyle::none) print_summary(report, scene.warnings);
+                outputs = report.outputs;
+            } else {
+                write_state(shard_file_, state);
+            }
+        } catch (const IoError&) {
+            keep_what_was_rendered(state);
+            throw;
+        }
+        checkpoint_.remove();
+        print_outputs(state.report.stopped_by, outputs, style_);
+    }
+
+    /// The output could not be written: perhaps the checkpoint can.
+    void keep_what_was_rendered(const RenderState& state)
+    {
+        try {
+            checkpoint_.save(state);
+            if (checkpoint_.enabled()) fmt::print(stderr, "the passes are in {}; --resume writes the output without rendering again\n", terminal_safe(checkpoint_.file().string()));
+        } catch (const IoError&) {
+        }
+    }
+
+    int exit_code(const RenderState& state) const
+    {
+        const bool missed = command_.settings.target_error > 0 && state.report.stopped_by != "target error";
+        return static_cast<int>(missed ? ExitCode::target_not_reached : ExitCode::ok);
+    }
+
+    RenderCommand& command_;
+    ProgressStyle style_;
+    std::filesystem::path shard_file_;
+    OutputPaths paths_;
+    Checkpoint checkpoint_;
+    ProgressView view_;
+    InterruptGuard interrupt_;
+};
 
 }  // namespace
 
 int run_render(RenderCommand command)
 {
     give_default_budget(command.settings);
-    const auto paths = plan_outputs(command.scene, command.output, command.report);
-    Scene scene = load_scene(command.scene, command.load);
-    if (const auto warning = take_calibrated_lanes(command.settings); !warning.empty()) scene.warnings.push_back(warning);
-    print_warnings(scene.warnings);
-    override_film(scene.camera, command.resolution, command.crop);
-    check_outputs(paths);
-    const auto style = chosen_style(command.progress);
-    const InterruptGuard interrupt;
-    print_start(scene, command.settings, style);
-    RenderOutcome outcome = render_with_progress(scene, command.settings, style, interrupt);
-    if (outcome.film.passes() == 0) throw Error("no pass was finished, so there is nothing to write; give more --time");
-    complete_report(outcome.report, outcome.film, scene);
-    write_outputs(paths, outcome.film, scene.camera, {command.exposure, command.half, command.settings.layers, command.timestamps}, outcome.report);
-    if (style != ProgressStyle::none) print_summary(outcome.report, scene);
-    print_outputs(outcome.report, style);
-    if (interrupt.signal()) return exit_after_signal + interrupt.signal();
-    const bool missed = command.settings.target_error > 0 && outcome.report.stopped_by != "target error";
-    return static_cast<int>(missed ? ExitCode::target_not_reached : ExitCode::ok);
+    if (!command.shard.whole() && (command.settings.seconds > 0 || command.settings.target_error > 0))
+        throw UsageError("--shard is a part of a number of passes: give --passes, neither --time nor --target-error");
+    return RenderJob(command).run();
 }
 
 }  // namespace tyndall

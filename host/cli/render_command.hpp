@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "cli/outputs.hpp"
 #include "cli/progress_view.hpp"
+#include "pipeline/render_state.hpp"
 #include "scene/load_scene.hpp"
 #include "scene/scene.hpp"
 #include "tyndall/settings.hpp"
@@ -18,9 +20,11 @@ struct RenderCommand {
     RenderSettings settings;
     std::optional<std::pair<int, int>> resolution;
     std::optional<Crop> crop;
-    std::optional<double> exposure;         ///< stops; none: automatic
     std::optional<ProgressStyle> progress;  ///< none: a bar on a terminal, plain lines otherwise
-    bool half = false, timestamps = true;
+    ImageWishes image;
+    ShardNumber shard;                          ///< a part of the passes
+    std::optional<double> checkpoint_seconds;   ///< between two of them, 0: none; nothing: by rule (cli/checkpoint.hpp)
+    bool resume = false;                        ///< go on from the checkpoint, if there is one
 };
 
 /// 16 passes where neither passes, a time nor a target error are given.

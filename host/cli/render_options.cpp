@@ -118,19 +118,40 @@ void add_selection(CLI::App& app, RenderSettings& settings)
         [&](const auto& text) { settings.camera_samples = integer("--camera-samples", text, 1, 64); });
 }
 
+void add_picture(CLI::App& app, ImageWishes& image)
+{
+    if (std::getenv("SOURCE_DATE_EPOCH")) image.timestamps = false;
+    add(app, "--exposure", "STOPS", "brightness of the PNG (automatic: 95th percentile at .7)", [&](const auto& text) {
+        if (text != "auto") image.exposure = parse_number("--exposure", text, -64, 64);
+    });
+    app.add_flag("--half", image.half, "16-bit colours in the EXR; variance and depth stay 32-bit");
+    app.add_flag_callback(
+        "--no-timestamps", [&] { image.timestamps = false; },
+        "nothing of the clock in the EXR: equal renders are byte-equal (also with SOURCE_DATE_EPOCH set)");
+}
+
 void add_film(CLI::App& app, RenderCommand& command)
 {
     add(app, "--resolution", "WxH", "film size in pixels; the scene's crop window is scaled with it",
         [&](const auto& text) { command.resolution = parse_resolution("--resolution", text); });
     add(app, "--crop", "X,Y,W,H", "render only this window of the film, in pixels from the top left",
         [&](const auto& text) { command.crop = parse_crop("--crop", text); });
-    add(app, "--exposure", "STOPS", "brightness of the PNG (automatic: 95th percentile at .7)", [&](const auto& text) {
-        if (text != "auto") command.exposure = parse_number("--exposure", text, -64, 64);
+    add_picture(app, command.image);
+}
+
+void add_farm(CLI::App& app, RenderCommand& command)
+{
+    add(app, "--shard", "I/N", "only part I of N of the passes, into a .shard file for `tyndall merge`", [&](const auto& text) {
+        const auto [number, of] = parse_shard("--shard", text);
+        command.shard = {number, of};
     });
-    app.add_flag("--half", command.half, "16-bit colours in the EXR; variance and depth stay 32-bit");
-    app.add_flag_callback(
-        "--no-timestamps", [&] { command.timestamps = false; },
-        "nothing of the clock in the EXR: equal renders are byte-equal (also with SOURCE_DATE_EPOCH set)");
+    add(app, "--checkpoint", "TIME", "save so often to go on from, off: never (30 s, in runs of more than a minute)",
+        [&](const auto& text) {
+            command.checkpoint_seconds = text == "off" ? 0 : parse_duration("--checkpoint", text);
+        })->envname("TYNDALL_CHECKPOINT");
+    app.add_flag("--resume", command.resume, "go on from the checkpoint beside the output, if there is one");
+    add(app, "--block-passes", "N", "passes that are summed by themselves, the unit of shards; part of the result (8)",
+        [&](const auto& text) { command.settings.block_passes = integer("--block-passes", text, 1, 1 << 16); });
 }
 
 void add_machine(CLI::App& app, RenderSettings& settings)
@@ -167,6 +188,15 @@ void add_output(CLI::App& app, RenderCommand& command)
 }
 
 }  // namespace
+
+void add_merge_options(CLI::App& app, MergeCommand& command)
+{
+    app.add_option("shards", command.shards, "shard files of one render, in any order")->required()->type_name("FILE.shard");
+    app.add_option("-o,--output", command.output, "image, *.exr; PNG and report (JSON) are written beside it")->required()->type_name("FILE");
+    app.add_option("--report", command.report, "another name for the report")->type_name("FILE");
+    add_picture(app, command.image);
+    app.add_flag("--mixed-devices", command.mixed_devices, "take shards of different devices and drivers: as good an image, but not byte-equal to one run's");
+}
 
 void add_load_options(CLI::App& app, LoadOptions& options)
 {
@@ -235,7 +265,6 @@ void add_explain_options(CLI::App& app, ExplainCommand& command)
 
 void add_render_options(CLI::App& app, RenderCommand& command)
 {
-    if (std::getenv("SOURCE_DATE_EPOCH")) command.timestamps = false;
     app.add_option("scene", command.scene, "scene file, Mitsuba 3 XML")->required()->type_name("SCENE.XML");
     add_output(app, command);
     add_budget(app, command.settings);
@@ -244,6 +273,7 @@ void add_render_options(CLI::App& app, RenderCommand& command)
     add_transport(app, command.settings);
     add_selection(app, command.settings);
     add_machine(app, command.settings);
+    add_farm(app, command);
     add_load_options(app, command.load);
 }
 

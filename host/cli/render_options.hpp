@@ -2,6 +2,7 @@
 #include "cli/bench_command.hpp"
 #include "cli/explain_command.hpp"
 #include "cli/list_commands.hpp"
+#include "cli/merge_command.hpp"
 #include "cli/render_command.hpp"
 #include "cli/selftest_command.hpp"
 
@@ -17,6 +18,9 @@ void add_render_options(CLI::App& app, RenderCommand& command);
 
 /// Declares the options of `tyndall explain`: those of `render` and its own.
 void add_explain_options(CLI::App& app, ExplainCommand& command);
+
+/// Declares the options of `tyndall merge`.
+void add_merge_options(CLI::App& app, MergeCommand& command);
 
 /// Declares the options of `tyndall devices`.
 void add_devices_options(CLI::App& app, DevicesCommand& command);

@@ -89,6 +89,7 @@ void PairStage::gather(const PairTile& tile)
     for (std::uint32_t done = 0; done < tile.groups; done += piece.groups) {
         on_device(s.device, "adding lights", [&] {
             s.harvest(false);
+            if (s.launched.size() > 1) s.launched[s.launched.size() - 2].event.wait();  // at most two on their way, so that a render can be stopped between launches
             const bool known = s.budget.knows("gather");
             piece.first_group = tile.first_group + done, piece.groups = s.budget.items("gather", tile.groups - done, work);
             cl_uint i = s.set_common(s.gather, piece);

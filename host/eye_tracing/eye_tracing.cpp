@@ -157,6 +157,7 @@ EyeRecords trace_eyes(const Scene& scene, const Visibility& visibility, const Ey
     for (int sample = 0; sample < settings.samples; ++sample) {
         std::vector<Row> rows(static_cast<std::size_t>(height));
         tbb::parallel_for(0, height, [&](int y) {
+            throw_if_raised(settings.stop);
             for (int x = 0; x < width; ++x) EyePath(scene, visibility, settings, all, rows[static_cast<std::size_t>(y)], x, y, sample).trace();
         });
         for (const Row& row : rows) {

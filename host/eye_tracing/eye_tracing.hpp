@@ -6,6 +6,7 @@
 #include "film/pass_image.hpp"
 #include "kernels/shared/records.hpp"
 #include "scene/scene.hpp"
+#include "tyndall/stop.hpp"
 #include "visibility/visibility.hpp"
 
 namespace tyndall {
@@ -15,6 +16,7 @@ struct EyeTracingSettings {
     int samples = 1;  ///< camera samples per pixel; features are those of the first
     int max_depth = -1;
     bool segments = true, points = true;  ///< which of them are wanted
+    const StopFlag* stop = nullptr;  ///< raised: Stopped is thrown
 };
 
 struct EyeRecords {

@@ -69,8 +69,29 @@ const char* advice(int error_number)
         case EACCES:
         case EPERM:
             return "choose a folder that you may write to";
+        case EAGAIN:
+        case EBUSY:
+        case ENOLCK:
+        case ESTALE:
+        case ETIMEDOUT:
+            return "try again: the file system may recover";
         default:
             return "choose another file name or folder";
+    }
+}
+
+/// Does another try help? Network file systems fail like this while a server restarts.
+bool is_temporary(int error_number)
+{
+    switch (error_number) {
+        case EAGAIN:
+        case EBUSY:
+        case ENOLCK:
+        case ESTALE:
+        case ETIMEDOUT:
+            return true;
+        default:
+            return false;
     }
 }
 
@@ -92,6 +113,13 @@ void AtomicFile::fail(const char* action, int error_number)
     if (failure_.empty())
         failure_ = fmt::format("{}: {}: {}; nothing was changed there: {}", target_.string(), action, std::strerror(error_number),
                                advice(error_number));
+    temporary_failure_ = is_temporary(error_number);
+    throw_failure();
+}
+
+void AtomicFile::throw_failure() const
+{
+    if (temporary_failure_) throw TemporaryError(failure_);
     throw IoError(failure_);
 }
 
@@ -129,7 +157,7 @@ AtomicFile::~AtomicFile()
 
 void AtomicFile::write(const void* data, std::size_t size)
 {
-    if (failed()) throw IoError(failure_);
+    if (failed()) throw_failure();
     const char* next = static_cast<const char*>(data);
     while (size > 0) {
         const ssize_t written = ::pwrite(descriptor_, next, size, static_cast<off_t>(position_));
@@ -143,7 +171,7 @@ void AtomicFile::seek(std::uint64_t position) { position_ = position; }
 
 void AtomicFile::commit()
 {
-    if (failed()) throw IoError(failure_);
+    if (failed()) throw_failure();
     if (::fsync(descriptor_) != 0 && !not_supported(errno)) fail("cannot flush to the disk", errno);
     const int descriptor = descriptor_;
     descriptor_ = -1;

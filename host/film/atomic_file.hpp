@@ -22,7 +22,7 @@ public:
     void write(const void* data, std::size_t size);
     void seek(std::uint64_t position);
     std::uint64_t position() const { return position_; }
-    /// Flushes to the disk and renames onto the target. Throws IoError; the old file is kept then.
+    /// Flushes to the disk and renames onto the target. Throws IoError (TemporaryError where another try may help); the old file is kept then.
     void commit();
     bool failed() const { return !failure_.empty(); }
     /// What went wrong first, as a sentence; empty if nothing did.
@@ -33,12 +33,14 @@ public:
 
 private:
     [[noreturn]] void fail(const char* action, int error_number);
+    [[noreturn]] void throw_failure() const;
     void open_temporary();
 
     std::filesystem::path target_, temporary_;
     int descriptor_ = -1, slot_ = -1;
     std::uint64_t position_ = 0;
     std::string failure_;
+    bool temporary_failure_ = false;
 };
 
 /// Throws IoError, as writing would, if a file of that name cannot be created or replaced. For asking before hours of work.

@@ -1,6 +1,7 @@
 #pragma once
 /// Sums per pixel, grouped in blocks of passes: finished blocks in one total, the block in progress apart (film/film.hpp says why).
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace tyndall {
@@ -25,13 +26,31 @@ public:
         }
         for (std::size_t i = 0; i < block_.size(); ++i) total_[i] += block_[i], block_[i] = T(0);
     }
+    /// Puts the block in progress of another film in the place of this one's, which is empty.
+    void take_block(BlockSum&& other)
+    {
+        if (other.empty()) return;
+        prepare(other.block_.size());
+        block_ = std::move(other.block_);
+    }
     /// Sum over all passes so far; 0 for a pixel of a sum that was never prepared.
     T value(std::size_t pixel) const
     {
         if (block_.empty()) return T(0);
         return total_.empty() ? block_[pixel] : total_[pixel] + block_[pixel];
     }
+    /// Sum over the passes of the block in progress.
+    T block_value(std::size_t pixel) const { return block_.empty() ? T(0) : block_[pixel]; }
     std::size_t memory_bytes() const { return (block_.capacity() + total_.capacity()) * sizeof(T); }
+    /// Every vector has this many pixels, or none.
+    bool fits(std::size_t pixels) const { return (block_.empty() || block_.size() == pixels) && (total_.empty() || (total_.size() == pixels && !block_.empty())); }
+
+    template <class Stream, class Self>
+    friend void fields(Stream& stream, Self& sum)
+        requires std::is_same_v<std::remove_const_t<Self>, BlockSum>
+    {
+        stream(sum.block_), stream(sum.total_);
+    }
 
 private:
     std::vector<T> block_, total_;

@@ -41,6 +41,11 @@ double mean_of_terms(std::size_t pixels, SquaredError&& squared_error, Reference
 
 }  // namespace
 
+double mean_of_relative_terms(std::size_t pixels, const std::function<Rgb(std::size_t)>& squared_error, const std::function<Rgb(std::size_t)>& reference)
+{
+    return mean_of_terms(pixels, squared_error, reference);
+}
+
 double relative_mse(std::span<const Rgb> image, std::span<const Rgb> reference)
 {
     assert(image.size() == reference.size() && !image.empty());
@@ -79,7 +84,7 @@ double estimated_error(const Film& film)
 
 double estimated_error(const Film& film, Layer layer)
 {
-    const double square = film.spread(layer).relative_mse();
+    const double square = film.relative_mse(layer);
     return square < 0 ? -1 : std::sqrt(square);
 }
 

@@ -5,6 +5,7 @@
 ///
 /// and "the error" is its square root: .01 reads as one percent. Where there is no reference, the expectation of (x - ref)^2 is the
 /// variance of the mean and the image's own values stand for ref. This holds however the noise is correlated between pixels.
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -19,13 +20,16 @@ double relative_mse(std::span<const Rgb> image, std::span<const Rgb> reference);
 /// Its terms (x - ref)^2 / (ref^2 + e), red, green and blue of each pixel in turn: their mean is `relative_mse` up to rounding.
 std::vector<double> relative_squared_errors(std::span<const Rgb> image, std::span<const Rgb> reference);
 
+/// The same from squared errors and reference as functions of the pixel; a term 0 / 0, nothing expected and nothing there, is 0.
+double mean_of_relative_terms(std::size_t pixels, const std::function<Rgb(std::size_t)>& squared_error, const std::function<Rgb(std::size_t)>& reference);
+
 /// Expected relMSE of an image whose pixels have these variances, with its own values for the reference.
 double expected_relative_mse(std::span<const Rgb> image, std::span<const Rgb> variance_of_mean);
 
 /// sqrt(expected relMSE) of the film's beauty; negative below two passes: unknown.
 double estimated_error(const Film& film);
 
-/// The same of one layer, from the spread of its passes (film/pass_spread.hpp), relative to the layer itself.
+/// The same of one layer, from the deviations of its passes (film/layer_deviation.hpp), relative to the layer itself.
 double estimated_error(const Film& film, Layer layer);
 
 /// What the error is below with a confidence of 95 % (one-sided): estimated_error x exp(t s / 2), s the relative standard error of relMSE between passes, t

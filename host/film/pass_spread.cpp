@@ -1,5 +1,6 @@
 #include "film/pass_spread.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numeric>
@@ -8,33 +9,23 @@
 
 namespace tyndall {
 
-void PassSpread::add(std::span<const Rgb> pass, std::span<const Rgb> mean, int passes_before)
+void PassSpread::add(std::span<const Rgb> pass, std::vector<Rgb>&& sum, int before, int block_passes)
 {
-    passes_ = passes_before + 1;
-    if (passes_before == 0) return;
-    assert(pass.size() == mean.size());
-    increments_.resize(static_cast<std::size_t>(passes_before) - 1, 0.0);
-    increments_.push_back((passes_ - 1.0) / passes_ * tyndall::relative_mse(pass, mean));
-}
-
-std::span<const double> PassSpread::later() const { return std::span(increments_).subspan(increments_.size() / 2); }
-
-double PassSpread::relative_mse() const
-{
-    if (increments_.empty()) return -1;
-    const auto terms = later();
-    return std::accumulate(terms.begin(), terms.end(), 0.0) / static_cast<double>(terms.size()) / passes_;
+    constexpr int rough = 4;  // passes that a mean is made of before its weights are good for something
+    if (before < std::max(std::min(rough, block_passes / 2), 1)) return;
+    assert(pass.size() == sum.size());
+    for (Rgb& pixel : sum) pixel /= static_cast<double>(before);
+    terms_.push_back(before / (before + 1.0) * tyndall::relative_mse(pass, sum));
 }
 
 double PassSpread::relative_standard_error() const
 {
-    const auto terms = later();
-    const double n = static_cast<double>(terms.size());
+    const double n = static_cast<double>(terms_.size());
     if (n < 3) return -1;
-    const double mean = std::accumulate(terms.begin(), terms.end(), 0.0) / n;
+    const double mean = std::accumulate(terms_.begin(), terms_.end(), 0.0) / n;
     if (!(mean > 0)) return 0;
     double squares = 0;
-    for (const double term : terms) squares += (term - mean) * (term - mean);
+    for (const double term : terms_) squares += (term - mean) * (term - mean);
     return std::sqrt(squares / (n - 1) / n) / mean;
 }
 

@@ -127,6 +127,7 @@ void for_each_segment(const Scene& scene, const Visibility& visibility, const Li
     if (emitters.empty()) return;
     const std::uint64_t chunks = (settings.paths + chunk_paths - 1) / chunk_paths;
     tbb::parallel_for(std::uint64_t(0), chunks, [&](std::uint64_t chunk) {
+        throw_if_raised(settings.stop);
         for (std::uint64_t path = chunk * chunk_paths; path < std::min((chunk + 1) * chunk_paths, settings.paths); ++path)
             LightPath(scene, visibility, emitters, settings, path).trace([&](const LightPathSegment& segment) { deposit(chunk, segment); });
     });

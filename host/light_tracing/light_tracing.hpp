@@ -19,6 +19,7 @@ struct LightTracingSettings {
     bool even = true;                  ///< their first numbers are scrambled Sobol points; false: independent
     bool pilot = false;                ///< count only, from numbers of its own
     double radius = 0;                 ///< of thick lights in this pass, in render space
+    const StopFlag* stop = nullptr;    ///< raised: Stopped is thrown
 };
 
 struct VirtualLights {

@@ -4,6 +4,7 @@
 #include "film/pass_image.hpp"
 #include "scene/scene.hpp"
 #include "tyndall/layer.hpp"
+#include "tyndall/stop.hpp"
 #include "visibility/visibility.hpp"
 
 namespace tyndall {
@@ -17,6 +18,7 @@ struct PathTracingSettings {
     int max_depth = -1;  ///< at most max_depth - 1 scattering vertices; -1: no limit
     LayerSet layers;     ///< what to compute; paths that cannot reach any of them are ended
     bool glossy_only = false;  ///< media_to_surface: only where x1 is a surface that virtual lights do not connect to (SurfaceParts::lambertian)
+    const StopFlag* stop = nullptr;  ///< raised: Stopped is thrown
 };
 
 /// Adds one camera sample per pixel of the wanted layers to `image`. Parallel over pixels; the result does not depend on the number of

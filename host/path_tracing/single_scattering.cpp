@@ -178,6 +178,7 @@ void trace_single(const Scene& scene, const Visibility& visibility, const PathTr
     if (shared.emitters.empty()) return;
     visibility.in_arena([&] {
         tbb::parallel_for(0, image.height, [&](int y) {
+            throw_if_raised(settings.stop);
             for (int x = 0; x < image.width; ++x) {
                 const std::size_t pixel = static_cast<std::size_t>(y) * image.width + x;
                 image[Layer::single][pixel] +=

@@ -212,6 +212,7 @@ void trace_paths(const Scene& scene, const Visibility& visibility, const PathTra
         if (scene.emitters[i].type == Emitter::Type::constant) shared.constants.push_back(static_cast<int>(i));
     visibility.in_arena([&] {
         tbb::parallel_for(0, image.height, [&](int y) {
+            throw_if_raised(settings.stop);
             for (int x = 0; x < image.width; ++x) {
                 const CameraSample start = sample_camera(scene.camera, x, y, settings.seed, settings.pass);
                 CameraPath(shared, image, static_cast<std::size_t>(y) * image.width + x, start).trace();

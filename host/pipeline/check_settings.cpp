@@ -63,6 +63,7 @@ void check_settings(const RenderSettings& s)
     require(s.camera_samples >= 0 && s.camera_samples <= 64, "camera samples = " + std::to_string(s.camera_samples) + " per pass must lie between 1 and 64 (0: by rule)");
     require(s.skip_thin >= 0 && s.skip_thin < 1, "the share of light that may be left out must be at least 0 and less than 1");
     require_of_method(s);
+    require(s.block_passes >= 1 && s.block_passes <= 1 << 16, "block of passes = " + std::to_string(s.block_passes) + " must lie between 1 and 65536");
     require(!s.layers.empty(), "no layer is left to render");
 }
 

@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::uint64_t features_bytes = sizeof(Rgb) + sizeof(Vec3) + sizeof(double);  ///< albedo, normal, depth
 
-/// Sums per pixel: layers, squares of the beauty, features; twice, once a block of passes has been closed.
+/// Sums per pixel: layers, squares of the beauty, features; twice, once a block of passes has been closed. The deviations of the layers once.
 std::uint64_t film_bytes(std::uint64_t pixels, const RenderSettings& settings, std::size_t layers)
 {
-    const bool one_block = settings.passes > 0 && settings.passes < FilmOptions{}.block_passes;
-    return pixels * (one_block ? 1u : 2u) * ((layers + 1) * sizeof(Rgb) + features_bytes);
+    const bool one_block = settings.passes > 0 && settings.passes <= settings.block_passes;
+    return pixels * ((one_block ? 1u : 2u) * ((layers + 1) * sizeof(Rgb) + features_bytes) + layers * sizeof(glm::vec3));
 }
 
 /// Tables of what lies along lights and eye segments.

@@ -14,6 +14,7 @@
 #include "pipeline/media_tables.hpp"
 #include "pipeline/memory_estimate.hpp"
 #include "pipeline/savings.hpp"
+#include "report/report_bytes.hpp"
 #include "selftest/first_use.hpp"
 #include "transport/random_sequence.hpp"
 #include "tyndall/error.hpp"
@@ -72,7 +73,7 @@ void PassRenderer::prepare_lights()
     const std::uint32_t lights = plan_.selection.lights;
     light_paths_ = clock_.time("pilot", [&] {
         return paths_for(scene_, visibility_, *plan_.technique,
-                         {.seed = settings_.seed, .max_depth = max_depth_, .light_segments = settings_.light_segments, .segment_length = settings_.segment_length}, lights);
+                         {.seed = settings_.seed, .max_depth = max_depth_, .light_segments = settings_.light_segments, .segment_length = settings_.segment_length, .stop = settings_.stop}, lights);
     });
     to_points_ = to_points.get(), to_segments_ = to_segments.get(), selftest_ = selftest.get();
     clock_.add("build_kernels", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), programs_built());
@@ -102,7 +103,7 @@ std::unique_ptr<EyeConnector> PassRenderer::make_connector(EyeKind kind)
     const int lanes = lanes_of(settings_, devices_.front());
     const PairProgram program = pair_program(plan_, settings_, kind, masks_, lanes);
     const std::uint32_t limit = max_depth_ < 0 ? 0xffffffffu : static_cast<std::uint32_t>(std::max(max_depth_ - 1, 0));
-    const ConnectSettings connect{.features = program.features, .samples = program.samples, .vertex_limit = limit, .tile_pairs = settings_.tile_pairs, .lanes = lanes, .sums_of_eye = program.sums_of_eye()};
+    const ConnectSettings connect{.features = program.features, .samples = program.samples, .vertex_limit = limit, .tile_pairs = settings_.tile_pairs, .lanes = lanes, .sums_of_eye = program.sums_of_eye(), .stop = settings_.stop};
     std::vector<PairStage> stages;
     for (Device& device : devices_) stages.emplace_back(device, program, media_tables(scene_, features_));
     return std::make_unique<EyeConnector>(std::move(stages), connect, plan_.selection, scene_.camera.crop_width);
@@ -115,7 +116,7 @@ void PassRenderer::add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes
         return trace_lights(scene_, visibility_, *plan_.technique,
                             {.seed = settings_.seed, .pass = pass, .paths = light_paths_, .max_depth = max_depth_, .light_segments = settings_.light_segments,
                              .segment_length = settings_.segment_length, .even = settings_.emission != Sequence::random,
-                             .radius = progressive_radius(plan_.radius, pass)});
+                             .radius = progressive_radius(plan_.radius, pass), .stop = settings_.stop});
     });
     const std::uint64_t key = mix_bits(mix_bits(settings_.seed) + pass);
     virtual_lights_ += lights.count, eye_segments_ += eyes.segments.size(), eye_points_ += eyes.points.size();
@@ -138,7 +139,7 @@ void PassRenderer::note_worst_pair(const EyeConnector::Worst& worst, std::uint64
 
 void PassRenderer::add_host_layers(std::uint64_t pass, PassImage& image)
 {
-    const PathTracingSettings settings{.seed = settings_.seed, .pass = pass, .max_depth = max_depth_, .layers = plan_.path_traced, .glossy_only = plan_.glossy_by_paths};
+    const PathTracingSettings settings{.seed = settings_.seed, .pass = pass, .max_depth = max_depth_, .layers = plan_.path_traced, .glossy_only = plan_.glossy_by_paths, .stop = settings_.stop};
     if (!plan_.path_traced.empty()) clock_.time("trace_paths", [&] { trace_paths(scene_, visibility_, settings, image); });
     if (plan_.single) clock_.time("single", [&] { trace_single(scene_, visibility_, settings, image); });
 }
@@ -146,7 +147,7 @@ void PassRenderer::add_host_layers(std::uint64_t pass, PassImage& image)
 PassResult PassRenderer::render(std::uint64_t pass)
 {
     PassResult result{PassImage(scene_.camera.crop_width, scene_.camera.crop_height, plan_.rendered()), {}};
-    const EyeTracingSettings wanted{.seed = settings_.seed, .pass = pass, .samples = plan_.virtual_lights() ? plan_.selection.camera_samples : 1, .max_depth = max_depth_, .segments = plan_.media_to_media, .points = plan_.media_to_surface};
+    const EyeTracingSettings wanted{.seed = settings_.seed, .pass = pass, .samples = plan_.virtual_lights() ? plan_.selection.camera_samples : 1, .max_depth = max_depth_, .segments = plan_.media_to_media, .points = plan_.media_to_surface, .stop = settings_.stop};
     EyeRecords eyes = clock_.time("trace_eyes", [&] { return trace_eyes(scene_, visibility_, wanted); });
     add_virtual_lights(pass, eyes, result.image);
     add_host_layers(pass, result.image);
@@ -169,7 +170,7 @@ void PassRenderer::add_bias(Report& report) const
     for (LayerReport& layer : report.layers) {
         if (layer.bias.empty()) continue;
         const auto& connector = layer.layer == name(Layer::media_to_media) ? to_segments_ : to_points_;
-        if (connector) layer.removed = connector->removed_share();
+        if (connector) layer.removed = connector->removed_share(), layer.kept_light = connector->kept_light(), layer.removed_light = connector->removed_light();
         if (plan_.technique->is_thick && report.passes > 0)
             layer.bias += fmt::format("; in the last of {} it was {:.3g} times as wide", report.passes, progressive_radius(1, static_cast<std::uint64_t>(report.passes - 1)));
     }
@@ -191,7 +192,13 @@ void PassRenderer::fill(Report& report) const
     if (plan_.virtual_lights()) report.selection = to_text(plan_.selection);
     report.grids = grid_transmittance(settings_, plan_, masks_);
     add_savings(report);
-    if (devices_.empty()) return;
+    if (!devices_.empty()) add_devices(report);
+    if (counts_.shadow_segments) report.stages.push_back({"shadow_segments", counts_.visibility_seconds, counts_.shadow_segments});
+    add_counts(report, earlier_);
+}
+
+void PassRenderer::add_devices(Report& report) const
+{
     report.programs = programs_built(), report.wall_clock = std::any_of(devices_.begin(), devices_.end(), [](const Device& d) { return !d.time_stamps(); });
     report.selftest = selftest_;
     if (selftest_ && !selftest_->warning.empty()) report.warnings.push_back(selftest_->warning);
@@ -201,7 +208,6 @@ void PassRenderer::fill(Report& report) const
     }
     if (to_segments_) add_connector(*to_segments_, "media_to_media", report);
     if (to_points_) add_connector(*to_points_, "media_to_surface", report);
-    if (counts_.shadow_segments) report.stages.push_back({"shadow_segments", counts_.visibility_seconds, counts_.shadow_segments});
 }
 
 /// Times are sums over devices.

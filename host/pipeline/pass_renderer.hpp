@@ -12,6 +12,7 @@
 #include "light_tracing/light_tracing.hpp"
 #include "pipeline/build_masks.hpp"
 #include "pipeline/eye_connector.hpp"
+#include "pipeline/render_state.hpp"
 #include "tiling/connect_pairs.hpp"
 
 namespace tyndall {
@@ -46,6 +47,10 @@ public:
     const ConnectCounts& counts() const { return counts_; }
     /// Adds everything that was counted and timed.
     void fill(Report& report) const;
+    /// Counts on from a report that `fill` has filled after earlier passes of the same render.
+    void continue_from(const Report& earlier);
+    /// All that the bytes of its passes depend on, but the program's version and the scene.
+    std::vector<StateSetting> settings() const;
 
 private:
     void prepare_lights();
@@ -55,6 +60,8 @@ private:
     void add_savings(Report& report) const;
     void add_connector(const EyeConnector& connector, const std::string& layer, Report& report) const;
     void add_bias(Report& report) const;
+    void add_devices(Report& report) const;
+    void add_device_settings(std::vector<StateSetting>& all) const;
     void add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image);
     void note_worst_pair(const EyeConnector::Worst& worst, std::uint64_t pass, Layer layer, PassImage& image);
     void add_host_layers(std::uint64_t pass, PassImage& image);
@@ -74,6 +81,7 @@ private:
     ConnectCounts counts_;
     WorstPairReport worst_pair_;
     std::uint64_t virtual_lights_ = 0, eye_segments_ = 0, eye_points_ = 0;
+    Report earlier_;  ///< what passes before this renderer's have counted, where no member here goes on with it
 };
 
 }  // namespace tyndall

@@ -24,6 +24,7 @@ struct LayerReport {
     double left_out = 0;  ///< for a layer that the scene has and the settings allow to skip: a bound on its share of the light that media scatter
     std::string bias{};      ///< what makes virtual lights biased, with its number: a clamp, a radius; empty: nothing
     double removed = -1;     ///< share of the layer's light that the clamp took away, over all pixels and channels; negative: no clamp
+    double kept_light = 0, removed_light = 0;  ///< if there is a clamp: sums over channels, eyes and passes
     std::string sampler{}, sampler_why{};  ///< of virtual ray lights: how places on light and eye are drawn
 };
 

@@ -80,11 +80,12 @@ std::vector<double> connect_pairs(PairStage& stage, const Visibility& visibility
     const std::vector<PairTile> tiles = tiles_of(stage.groups(), slots, fused ? wanted : stage.most_sampled(wanted), settings);
     counts.pairs += std::uint64_t(eyes.count) * slots * settings.samples;
     if (fused) {
-        for (const PairTile& tile : tiles) stage.gather(tile);
+        for (const PairTile& tile : tiles) throw_if_raised(settings.stop), stage.gather(tile);
         return stage.sums();
     }
     if (!tiles.empty()) stage.sample(0, tiles[0]);
     for (std::size_t i = 0; i < tiles.size(); ++i) {
+        throw_if_raised(settings.stop);
         const int slot = static_cast<int>(i % 2);
         if (i + 1 < tiles.size()) stage.sample(1 - slot, tiles[i + 1]);
         const SampledTile sampled = stage.sampled(slot);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "device/pair_stage.hpp"
+#include "tyndall/stop.hpp"
 #include "visibility/visibility.hpp"
 
 namespace tyndall {
@@ -34,6 +35,7 @@ struct ConnectSettings {
     std::uint32_t tile_pairs = 0;  ///< 0: default for the pipeline
     int lanes = 1;
     std::uint32_t sums_of_eye = 1;  ///< PairProgram's
+    const StopFlag* stop = nullptr;  ///< raised: Stopped is thrown
 };
 
 struct ConnectCounts {

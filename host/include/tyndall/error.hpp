@@ -37,5 +37,9 @@ struct BuildError : DeviceError {
 struct IoError : Error {
     using Error::Error;
 };
+/// The same, for a reason that may be gone at another try: a file server that does not answer. Exit code 75.
+struct TemporaryError : IoError {
+    using IoError::IoError;
+};
 
 }  // namespace tyndall

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "tyndall/layer.hpp"
+#include "tyndall/stop.hpp"
 
 namespace tyndall {
 
@@ -99,7 +100,9 @@ struct RenderSettings {
     double skip_thin = 0;              ///< leave media_to_media out if at most this share of what media scatter is scattered there again (biased); 0: never
     std::optional<double> clamp;       ///< of the clamped methods: no connection's 1 / w^2 is more than this over the square of the scene's half diagonal (biased); none: by rule
     std::optional<double> beam_radius; ///< of methods with thick lights, in the first pass: a share of the scene's half diagonal (biased); none: by rule
+    int block_passes = 8;              ///< passes that are summed by themselves before they join the total (film/film.hpp); part of the result
     bool selftest = true;              ///< golden cases before a device renders for the first time; false: at the user's own risk
+    const StopFlag* stop = nullptr;    ///< raising it abandons the pass in progress and ends the render; must outlive it
 };
 
 }  // namespace tyndall

@@ -37,6 +37,7 @@ TEST(ExitCode, EveryErrorHasItsOwn)
     EXPECT_EQ(ended_by(DeviceError("x")).code, 5);
     EXPECT_EQ(ended_by(BuildError("x")).code, 5);
     EXPECT_EQ(ended_by(IoError("x")).code, 6);
+    EXPECT_EQ(ended_by(TemporaryError("x")).code, 75);
     EXPECT_EQ(ended_by(std::bad_alloc()).code, 1);
     EXPECT_EQ(ended_by(42).code, 1);
 }

@@ -54,19 +54,14 @@ Report small_report()
     return report;
 }
 
-Camera small_camera()
-{
-    Camera camera;
-    camera.width = 8, camera.height = 6, camera.crop_x = 3, camera.crop_y = 2, camera.crop_width = camera.crop_height = 2;
-    return camera;
-}
+constexpr FilmWindow small_window{.x = 3, .y = 2, .full_width = 8, .full_height = 6};
 
 TEST(WriteOutputs, EverythingIsThereAndSaysHowItWasMade)
 {
     test::TemporaryFolder folder;
     const auto paths = plan_outputs("s.xml", folder / "a.exr", "");
     auto report = small_report();
-    write_outputs(paths, small_film(), small_camera(), {.exposure = 1.}, report);
+    write_outputs(paths, small_film(), small_window, {.exposure = 1.}, {}, report);
     const auto image = read_exr(paths.exr);
     EXPECT_EQ(image.x, 3);
     EXPECT_EQ(image.display_width, 8);
@@ -99,7 +94,7 @@ TEST(WriteOutputs, WithoutTimestampsTheImageDoesNotDependOnTheClock)
         const auto paths = plan_outputs("s.xml", folder / (std::to_string(run) + ".exr"), "");
         auto report = small_report();
         report.seconds = run;
-        write_outputs(paths, small_film(), small_camera(), {.timestamps = false}, report);
+        write_outputs(paths, small_film(), small_window, {.timestamps = false}, {}, report);
         bytes[run] = test::file_bytes(paths.exr);
     }
     EXPECT_FALSE(bytes[0].empty());
@@ -110,7 +105,7 @@ TEST(WriteOutputs, ExposureIsAutomaticUnlessGiven)
 {
     test::TemporaryFolder folder;
     auto report = small_report();
-    write_outputs(plan_outputs("s.xml", folder / "a.exr", ""), small_film(), small_camera(), {}, report);
+    write_outputs(plan_outputs("s.xml", folder / "a.exr", ""), small_film(), small_window, {}, {}, report);
     ASSERT_TRUE(report.exposure.has_value());
     EXPECT_NEAR(std::exp2(*report.exposure) * 3, .7, 1e-12);  // of 1 2 3 4, the value at .95 * 3, rounded down
 }

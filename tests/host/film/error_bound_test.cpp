@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <random>
 
 #include "film/error_estimate.hpp"
@@ -47,32 +48,57 @@ Film film_of(std::uint64_t seed, int passes, const Noise& noise)
 
 double true_error(double variance, int passes) { return std::sqrt(variance / passes / 1.0025); }
 
-TEST(PassSpread, EqualsTheErrorFromSquares)
+TEST(LayerError, EqualsTheErrorFromSquares)
 {
-    for (const auto& [noise, tolerance] : {std::pair(independent, .03), std::pair(correlated, .25)}) {
-        const Film film = film_of(1, 256, noise);
-        EXPECT_NEAR(film.spread().relative_mse() / std::pow(estimated_error(film), 2), 1, tolerance);
-        EXPECT_DOUBLE_EQ(estimated_error(film, Layer::single), std::sqrt(film.spread().relative_mse()));
+    for (const auto& noise : {independent, correlated})
+        for (const int passes : {2, 7, 8, 9, 13, 16, 17, 23, 256}) {
+            const Film film = film_of(1, passes, noise);
+            const double share = film.relative_mse(Layer::single) / std::pow(estimated_error(film), 2);
+            EXPECT_NEAR(share, 1, passes <= 8 ? 1e-5 : .35) << passes << " passes: the last half of the blocks stands for all";
+        }
+    EXPECT_NEAR(film_of(1, 1000, independent).relative_mse(Layer::single) * 1000 * 1.0025 / .25, 1, .03);
+    EXPECT_LT(film_of(1, 1, independent).relative_mse(Layer::single), 0) << "one pass says nothing";
+    EXPECT_LT(film_of(1, 4, independent).relative_mse(Layer::emitted), 0) << "and a layer that is not there neither";
+}
+
+/// The definition, from all passes at once.
+TEST(LayerError, JoinsBlocksAsOneVariance)
+{
+    Random random(4);
+    Film film(1, 1, single_only(), {.block_passes = 3});
+    std::vector<double> values;
+    for (int i = 0; i < 6; ++i) {
+        PassImage image(1, 1, single_only());
+        values.push_back(1 + normal(random));
+        image[Layer::single][0] = Rgb(values.back());
+        film.add_pass(image);
     }
-    EXPECT_LT(film_of(1, 1, independent).spread().relative_mse(), 0) << "one pass says nothing";
+    const auto mean = [&](int from, int to) { return std::accumulate(values.begin() + from, values.begin() + to, 0.) / (to - from); };
+    double squares = 0;  // of the second block around its own mean, and what joins it to the first
+    for (int i = 3; i < 6; ++i) squares += std::pow(values[static_cast<std::size_t>(i)] - mean(3, 6), 2);
+    squares += 1.5 * std::pow(mean(0, 3) - mean(3, 6), 2);
+    const double all = mean(0, 6);
+    EXPECT_NEAR(film.relative_mse(Layer::single), squares / 3 / 6 / (all * all * 1.0025), 1e-6 * squares);
 }
 
 TEST(PassSpread, KnowsThatPixelsMoveTogether)
 {
     // 192 pixels x channels: their squares average out to sqrt(2 / 192) a pass; together they do not average out: sqrt(2) a pass.
     const double terms = 128;
-    EXPECT_NEAR(film_of(2, 256, independent).spread().relative_standard_error(), std::sqrt(2 / 192. / terms), .3 * std::sqrt(2 / 192. / terms));
+    // The weights, from four to seven passes, differ from block to block: that adds to the small one.
+    EXPECT_GT(film_of(2, 256, independent).spread().relative_standard_error(), std::sqrt(2 / 192. / terms));
+    EXPECT_LT(film_of(2, 256, independent).spread().relative_standard_error(), 3 * std::sqrt(2 / 192. / terms));
     EXPECT_NEAR(film_of(2, 256, together).spread().relative_standard_error(), std::sqrt(2 / terms), .35 * std::sqrt(2 / terms));
 }
 
-TEST(PassSpread, CountsPassesThatDidNotBringALayerAsBlack)
+TEST(LayerError, CountsPassesThatDidNotBringALayerAsBlack)
 {
     Film film(1, 1, LayerSet::all());
     PassImage bright(1, 1, single_only()), empty(1, 1, LayerSet().add(Layer::emitted));
     bright[Layer::single][0] = Rgb(1);
     for (int i = 0; i < 64; ++i) film.add_pass(i % 2 ? empty : bright);
     // Mean 1/2, variance 1/4 a pass: relMSE = (1/4) / 64 / (1/4 (1 + .0025)).
-    EXPECT_NEAR(film.spread(Layer::single).relative_mse(), 1 / (64 * 1.0025), .04 / 64);
+    EXPECT_NEAR(film.relative_mse(Layer::single), 1 / (64 * 1.0025), .04 / 64);
 }
 
 TEST(ErrorUpperBound, IsInfiniteInThePilot)
@@ -92,12 +118,11 @@ double missed(int passes, const Noise& noise, double variance)
 
 TEST(ErrorUpperBound, HoldsInNinetyFivePercentOfFilms)
 {
-    // 400 films: 5 % +- 1.1 % (one deviation). Measured: 9.8 %, 3.8 %, 7.0 % and 3.0 %; the image stands for its own reference, which costs the first its excess.
-    // The limits lie three deviations above what was measured.
-    EXPECT_LT(missed(64, correlated, .25), .14);
-    EXPECT_LT(missed(64, together, .25), .07);
-    EXPECT_LT(missed(256, correlated, .25), .11);
-    EXPECT_LT(missed(256, together, .25), .06);
+    // 400 films: 5 % +- 1.1 % (one deviation). Measured: 5.0 %, 3.0 %, 1.0 % and 2.3 %. The limits lie three deviations above what was measured.
+    EXPECT_LT(missed(64, correlated, .25), .085);
+    EXPECT_LT(missed(64, together, .25), .065);
+    EXPECT_LT(missed(256, correlated, .25), .045);
+    EXPECT_LT(missed(256, together, .25), .055);
     EXPECT_GT(missed(256, together, .25), .005) << "of a use";
 }
 

@@ -126,7 +126,7 @@ TEST(Film, IgnoresLayersOutsideItsSetAndTakesNoMemoryForMissingOnes)
     film.add_pass(one_pixel(1, 10));
     EXPECT_EQ(film.beauty()[0], Rgb(1));
     EXPECT_FALSE(film.has(Layer::media_to_media));
-    EXPECT_EQ(film.memory_bytes(), 2 * sizeof(Rgb));  // one layer and the squares of the beauty
+    EXPECT_EQ(film.memory_bytes(), 2 * sizeof(Rgb) + sizeof(glm::vec3));  // one layer with its deviations and the squares of the beauty
 }
 
 TEST(Film, ALayerThatComesLateCountsAsBlackBefore)
@@ -184,13 +184,13 @@ TEST(Film, AveragesFeatures)
     EXPECT_EQ(features->depth[0], 4);
 }
 
-TEST(Film, StaysBelow200MiBForAllLayersOf512Squared)
+TEST(Film, StaysBelow240MiBForAllLayersOf512Squared)
 {
     Film film(512, 512, LayerSet::all());
     const PassImage image(512, 512, LayerSet::all());
     const PixelFeatures features{std::vector<Rgb>(512 * 512), std::vector<Vec3>(512 * 512), std::vector<double>(512 * 512)};
     for (int pass = 0; pass < 9; ++pass) film.add_pass(image, &features);  // beyond the first block, both sums exist
-    EXPECT_LT(film.memory_bytes(), std::size_t(200) << 20);
+    EXPECT_LT(film.memory_bytes(), std::size_t(240) << 20);
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+/// What the bytes of a pass depend on, and counting on after an interruption.
+#include <fmt/format.h>
+
+#include "device/pair_stage.hpp"
+#include "pipeline/pass_renderer.hpp"
+#include "tyndall/setting_names.hpp"
+
+namespace tyndall {
+namespace {
+
+std::string names_of(const LayerSet& layers)
+{
+    std::string names;
+    for (std::size_t l = 0; l < layer_count; ++l)
+        if (layers.contains(static_cast<Layer>(l))) names += (names.empty() ? "" : " ") + std::string(layer_names[l]);
+    return names;
+}
+
+/// All of it: a part that is missing here does not compile.
+std::string text_of(const SelectionPlan& plan)
+{
+    [[maybe_unused]] const auto& [lights, chosen, slots, block, defence, candidates, offered, camera_samples, why] = plan;
+    if (!chosen) return fmt::format("all {} in {} camera samples", lights, camera_samples);
+    const std::string regions = plan.by_region() ? fmt::format(", from {} candidates of {}", candidates, offered) : "";
+    return fmt::format("{} of {}{} in {} camera samples, per {} x {} pixels, {:.17g} by power", slots, lights, regions, camera_samples, block, block, defence);
+}
+
+}  // namespace
+
+std::vector<StateSetting> PassRenderer::settings() const
+{
+    // Every setting has a name here, so that one which is added does not compile before it is decided whether bytes depend on it. Those that are left to a rule stand in the plan.
+    [[maybe_unused]] const auto& [method, layers, path_layers, passes, seconds, target_error, lights, seed, threads, max_depth, light_segments, segment_length, sampler, sequence, emission, transmittance, features,
+                 device, lanes, lanes_calibrated, tile_pairs, launch_seconds, samples, selection, selected_lights, selection_block, candidates, defence, camera_samples, skip_thin, clamp, beam_radius, block_passes, selftest, stop] = settings_;
+    const Camera& camera = scene_.camera;
+    std::vector<StateSetting> all{
+        {"film", fmt::format("{} x {}, window {} x {} at ({}, {})", camera.width, camera.height, camera.crop_width, camera.crop_height, camera.crop_x, camera.crop_y)},
+        {"seed", fmt::to_string(seed)},
+        {"block of passes", fmt::to_string(block_passes)},
+        {"method", std::string(name(method))},
+        {"layers", names_of(plan_.rendered())},
+        {"max depth", fmt::to_string(max_depth_)},
+        {"light by paths", names_of(plan_.path_traced) + (plan_.single ? ", single by light" : "")},
+    };
+    if (!plan_.virtual_lights()) return all;
+    all.insert(all.end(), {
+        {"virtual lights", std::string(plan_.technique->name)},
+        {"bound of 1 / w^2", fmt::format("{:.17g}", plan_.clamp)},
+        {"radius of the first pass", fmt::format("{:.17g}", plan_.radius)},
+        {"lights", text_of(plan_.selection)},
+        {"light paths", fmt::to_string(light_paths_)},
+        {"light segments", light_segments == LightSegments::all ? "all" : "first"},
+        {"segment length", std::string(name_in(segment_length_names, segment_length))},
+        {"samples", fmt::to_string(samples)},
+        {"sampler", fmt::to_string(plan_.sampler)},
+        {"sequence", std::string(name_in(sequence_names, sequence))},
+        {"emission", std::string(name_in(sequence_names, emission))},
+        {"transmittance", std::string(name_in(transmittance_names, transmittance))},
+        {"features", fmt::format("{:x} {:x}", masks_.media_to_media, masks_.media_to_surface)},
+    });
+    add_device_settings(all);
+    return all;
+}
+
+/// What a machine brings with it.
+void PassRenderer::add_device_settings(std::vector<StateSetting>& all) const
+{
+    const auto* connector = to_segments_ ? to_segments_.get() : to_points_.get();
+    all.push_back({"lanes", fmt::to_string(connector->settings().lanes)});
+    std::string names, drivers;
+    for (const Device& device : devices_) {
+        names += (names.empty() ? "" : "; ") + device.info().platform + ": " + device.info().name;
+        drivers += (drivers.empty() ? "" : "; ") + device.info().driver;
+    }
+    all.push_back({"device", names}), all.push_back({"driver", drivers});
+    for (const auto* each : {to_segments_.get(), to_points_.get()})
+        if (each) all.push_back({each == to_segments_.get() ? "kernels of media_to_media" : "kernels of media_to_surface", each->stages().front()->options()});
+}
+
+void PassRenderer::continue_from(const Report& earlier)
+{
+    virtual_lights_ = earlier.virtual_lights, eye_segments_ = earlier.eye_segments, eye_points_ = earlier.eye_points;
+    counts_.pairs = earlier.pairs, counts_.shadow_segments = earlier.shadow_segments;
+    worst_pair_ = earlier.ledger.worst_pair;
+    earlier_ = earlier;
+    earlier_.light_paths = earlier_.virtual_lights = earlier_.eye_segments = earlier_.eye_points = earlier_.pairs = earlier_.shadow_segments = 0;
+    earlier_.seconds = earlier_.before_seconds = 0;
+}
+
+}  // namespace tyndall
