@@ -34,9 +34,10 @@ public:
         double radiance = 0;
     };
     const Worst& worst() const { return worst_; }
-    /// Share of the light of all passes that the clamp took away; negative: no clamp.
+    /// With a clamp: what it let through and what it took away, summed over channels, eyes and passes.
     double kept_light() const { return kept_; }
     double removed_light() const { return removed_; }
+    /// Share of the light of all passes that the clamp took away; negative: no clamp.
     double removed_share() const { return settings_.sums_of_eye < 2 ? -1 : removed_ > 0 ? removed_ / (removed_ + kept_) : 0; }
 
     std::vector<const PairStage*> stages() const { return crew_.stages(); }
