@@ -74,7 +74,7 @@ TEST_F(CompareMethods, OneLayerIsComparedAlone)
 
 TEST_F(CompareMethods, UnknownAndEmptyMethodsNameThoseThatThereAre)
 {
-    for (const char* method : {"vbl", ""}) {
+    for (const char* method : {"vrll", ""}) {
         const auto result = run({"compare", "scene.xml", "--methods", method});
         EXPECT_EQ(result.exit_code, 2);
         EXPECT_THAT(result.err, HasSubstr("must be one of vrl, "));
