@@ -55,6 +55,21 @@ fs::path resolved(const fs::path& target)
     return ignored ? target : real;
 }
 
+/// Does another try help? Network file systems fail like this while a server restarts.
+bool is_temporary(int error_number)
+{
+    switch (error_number) {
+        case EAGAIN:
+        case EBUSY:
+        case ENOLCK:
+        case ESTALE:
+        case ETIMEDOUT:
+            return true;
+        default:
+            return false;
+    }
+}
+
 const char* advice(int error_number)
 {
     switch (error_number) {
@@ -69,29 +84,8 @@ const char* advice(int error_number)
         case EACCES:
         case EPERM:
             return "choose a folder that you may write to";
-        case EAGAIN:
-        case EBUSY:
-        case ENOLCK:
-        case ESTALE:
-        case ETIMEDOUT:
-            return "try again: the file system may recover";
         default:
-            return "choose another file name or folder";
-    }
-}
-
-/// Does another try help? Network file systems fail like this while a server restarts.
-bool is_temporary(int error_number)
-{
-    switch (error_number) {
-        case EAGAIN:
-        case EBUSY:
-        case ENOLCK:
-        case ESTALE:
-        case ETIMEDOUT:
-            return true;
-        default:
-            return false;
+            return is_temporary(error_number) ? "try again: the file system may recover" : "choose another file name or folder";
     }
 }
 
