@@ -87,7 +87,7 @@ void add_transport(CLI::App& app, RenderSettings& settings)
     add(app, "--sequence", "NAME", "numbers of the samples: auto, random or sobol", [&](const auto& text) {
         settings.sequence = parse_named("--sequence", text, sequence_names);
     });
-    add(app, "--transmittance", "NAME", "through density grids: march, with an exact correction for one pair in 32, or exact (march)", [&](const auto& text) {
+    add(app, "--transmittance", "NAME", "through density grids: march, with an exact correction for one pair in 64, or exact (march)", [&](const auto& text) {
         settings.transmittance = parse_named("--transmittance", text, transmittance_names);
     });
     add(app, "--samples", "N", "samples of every pair of light and eye per pass (1)", [&](const auto& text) { settings.samples_per_pair = integer("--samples", text, 1, 256); });
