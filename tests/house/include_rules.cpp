@@ -63,6 +63,8 @@ constexpr Row rows[] = {
     {"host/pipeline/", 11},
     {"host/comparison/", 12},
     {"host/cli/", 13},
+    {"host/library/", 13},
+    {"host/examples/", 14},
     {"tests/", 14},
     {"bench/", 14},
 };
