@@ -139,6 +139,12 @@ void add_film(CLI::App& app, RenderCommand& command)
     add_picture(app, command.image);
 }
 
+void add_blocks(CLI::App& app, RenderSettings& settings)
+{
+    add(app, "--block-passes", "N", "passes that are summed by themselves, the unit of shards; part of the result (8)",
+        [&](const auto& text) { settings.block_passes = integer("--block-passes", text, 1, 1 << 16); });
+}
+
 void add_farm(CLI::App& app, RenderCommand& command)
 {
     add(app, "--shard", "I/N", "only part I of N of the passes, into a .shard file for `tyndall merge`", [&](const auto& text) {
@@ -150,8 +156,7 @@ void add_farm(CLI::App& app, RenderCommand& command)
             command.checkpoint_seconds = text == "off" ? 0 : parse_duration("--checkpoint", text);
         })->envname("TYNDALL_CHECKPOINT");
     app.add_flag("--resume", command.resume, "go on from the checkpoint beside the output, if there is one");
-    add(app, "--block-passes", "N", "passes that are summed by themselves, the unit of shards; part of the result (8)",
-        [&](const auto& text) { command.settings.block_passes = integer("--block-passes", text, 1, 1 << 16); });
+    add_blocks(app, command.settings);
 }
 
 void add_machine(CLI::App& app, RenderSettings& settings)
@@ -188,6 +193,11 @@ void add_output(CLI::App& app, RenderCommand& command)
 }
 
 }  // namespace
+
+void add_setting_options(CLI::App& app, RenderSettings& settings)
+{
+    for (const auto add_group : {add_budget, add_layers, add_transport, add_selection, add_machine, add_blocks}) add_group(app, settings);
+}
 
 void add_merge_options(CLI::App& app, MergeCommand& command)
 {

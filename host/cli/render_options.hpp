@@ -16,6 +16,9 @@ namespace tyndall {
 /// UsageError.
 void add_render_options(CLI::App& app, RenderCommand& command);
 
+/// Those of them that are settings and nothing else.
+void add_setting_options(CLI::App& app, RenderSettings& settings);
+
 /// Declares the options of `tyndall explain`: those of `render` and its own.
 void add_explain_options(CLI::App& app, ExplainCommand& command);
 

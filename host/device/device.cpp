@@ -17,6 +17,17 @@ cl::CommandQueue make_queue(DeviceState& state)
     }
 }
 
+cl::CommandQueue adopted_queue(DeviceState& state, void* handle)
+{
+    cl::CommandQueue queue(static_cast<cl_command_queue>(handle), true);
+    if (queue.getInfo<CL_QUEUE_CONTEXT>()() != state.context() || queue.getInfo<CL_QUEUE_DEVICE>()() != state.device())
+        throw UsageError("the caller's OpenCL queue is not one of the context and the device given with it");
+    const cl_command_queue_properties properties = queue.getInfo<CL_QUEUE_PROPERTIES>();
+    if (properties & CL_QUEUE_OUT_OF_ORDER_EXEC_MODE_ENABLE) throw UsageError("the caller's OpenCL queue is out of order; give one that is in order, or none");
+    state.time_stamps = (properties & CL_QUEUE_PROFILING_ENABLE) != 0;
+    return queue;
+}
+
 }  // namespace
 
 Device::Device(const std::string& request) : state_(std::make_unique<DeviceState>())
@@ -26,6 +37,19 @@ Device::Device(const std::string& request) : state_(std::make_unique<DeviceState
     on_device(*state_, "opening the device", [&] {
         state_->context = cl::Context(state_->device);
         state_->queue = make_queue(*state_);
+    });
+}
+
+Device::Device(const OpenClHandles& handles) : state_(std::make_unique<DeviceState>())
+{
+    if (!handles.context || !handles.device) throw UsageError("the caller's OpenCL context and device are both needed; one of them is null");
+    state_->device = cl::Device(static_cast<cl_device_id>(handles.device), true);
+    state_->info = info_of(state_->device);
+    on_device(*state_, "using the caller's context", [&] {
+        state_->context = cl::Context(static_cast<cl_context>(handles.context), true);
+        const auto devices = state_->context.getInfo<CL_CONTEXT_DEVICES>();
+        if (std::none_of(devices.begin(), devices.end(), [&](const cl::Device& d) { return d() == state_->device(); })) throw UsageError("the caller's OpenCL context does not hold the device given with it");
+        state_->queue = handles.queue ? adopted_queue(*state_, handles.queue) : make_queue(*state_);
     });
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "device/device_list.hpp"
+#include "tyndall/opencl_handles.hpp"
 
 namespace tyndall {
 
@@ -14,6 +15,8 @@ class Device {
 public:
     /// Opens the device that `request` names (device_list.hpp). Throws NoDeviceError, DeviceError.
     explicit Device(const std::string& request = "");
+    /// Uses the caller's objects. Throws UsageError where they do not belong together or the queue is out of order, NoDeviceError for a device that the loader does not list, DeviceError.
+    explicit Device(const OpenClHandles& handles);
     ~Device();
     Device(Device&&) noexcept;
 

@@ -12,6 +12,9 @@ namespace tyndall {
 /// The n-th device of list_devices(). Throws NoDeviceError if it is gone.
 cl::Device device_at(int index);
 
+/// Of a device that list_devices() has. Throws NoDeviceError for another, and for one that is not usable.
+DeviceInfo info_of(const cl::Device& device);
+
 /// "CL_OUT_OF_RESOURCES (-5)".
 std::string opencl_error_name(int code);
 

@@ -61,10 +61,10 @@ PassRenderer::PassRenderer(const Scene& scene, const RenderSettings& settings, c
 
 void PassRenderer::prepare_lights()
 {
-    for (const DeviceInfo& info : choose_devices(settings_.device)) {
-        devices_.emplace_back(std::to_string(info.index));
-        devices_.back().bound_launches(settings_.launch_seconds);
-    }
+    if (settings_.opencl) devices_.emplace_back(*settings_.opencl);
+    else
+        for (const DeviceInfo& info : choose_devices(settings_.device)) devices_.emplace_back(std::to_string(info.index));
+    for (Device& device : devices_) device.bound_launches(settings_.launch_seconds);
     const auto start = std::chrono::steady_clock::now();
     const auto build = [&](bool wanted, EyeKind kind) { return wanted ? make_connector(kind) : nullptr; };
     auto selftest = std::async(std::launch::async, [&] { return check_devices(); });

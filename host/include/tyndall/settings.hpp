@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "tyndall/layer.hpp"
+#include "tyndall/opencl_handles.hpp"
 #include "tyndall/stop.hpp"
 
 namespace tyndall {
@@ -86,6 +87,7 @@ struct RenderSettings {
     GridTransmittance transmittance = GridTransmittance::march;
     std::optional<std::uint32_t> features;  ///< mask of kernels/shared/scene_features.h for all kernels; none: what the scene calls for
     std::string device;                ///< index, substring of the name, or platform:device; several with commas, or "all"; empty: the default device
+    std::optional<OpenClHandles> opencl;  ///< the caller's context and device, in place of those that `device` names
     int lanes = 0;                     ///< 1, 4, 8, 16; 0: chosen by fixed rule from the device
     bool lanes_calibrated = false;     ///< `lanes` were measured for the device before, not asked for; for the report alone
     std::uint32_t tile_pairs = 0;      ///< pairs per tile; 0: default. Never changes a byte

@@ -29,7 +29,7 @@ TEST(LibraryExports, NothingButThePublicInterface)
 TEST(LibraryExports, ThePublicInterface)
 {
     const auto names = exported();
-    for (const char* name : {"tyndall::api::render(", "tyndall::api::Scene::load(", "tyndall::api::Scene::Scene(", "tyndall::api::Image::write(", "tyndall::api::devices("})
+    for (const char* name : {"tyndall::api::render(", "tyndall::api::Scene::load(", "tyndall::api::Scene::Scene(", "tyndall::api::Image::write(", "tyndall::api::devices(", "tyndall_render", "tyndall_last_error"})
         EXPECT_THAT(names, testing::Contains(testing::StartsWith(name)));
 }
 

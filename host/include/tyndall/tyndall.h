@@ -1,0 +1,154 @@
+/// Tyndall for C, and for every language that can call C. What is promised of threads, ownership, units and memory stands in host/docs/library.md.
+///
+/// Handles are opaque; the caller destroys what it was given by a function called ..._create, ..._load, ..._parse or tyndall_render. Destroying NULL does nothing. Functions
+/// that can fail return a status; then tyndall_last_error() of the same thread says why, and nothing was given out. No exception leaves a function, and none may enter
+/// through a callback.
+#ifndef TYNDALL_H
+#define TYNDALL_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "tyndall/export.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/// Grows when functions are added; what is there does not change. tyndall_abi_version() is that of the library that is loaded.
+#define TYNDALL_ABI_VERSION 1
+TYNDALL_API int tyndall_abi_version(void);
+/// "0.1.0 (commit)".
+TYNDALL_API const char* tyndall_version(void);
+
+/// The exit codes of the program.
+enum {
+    TYNDALL_OK = 0,
+    TYNDALL_INTERNAL_ERROR = 1,   ///< or out of memory
+    TYNDALL_USAGE_ERROR = 2,      ///< an argument or a setting that makes no sense
+    TYNDALL_SCENE_ERROR = 3,
+    TYNDALL_NO_DEVICE = 4,
+    TYNDALL_DEVICE_ERROR = 5,
+    TYNDALL_IO_ERROR = 6,
+    TYNDALL_TEMPORARY_ERROR = 75  ///< writing failed for a reason that may be gone at another try
+};
+typedef int tyndall_status;
+
+/// The sentence of the last failure on this thread, "" if there was none; valid until the next failure on this thread.
+TYNDALL_API const char* tyndall_last_error(void);
+
+typedef struct tyndall_description tyndall_description;  ///< a scene that is being made
+typedef struct tyndall_scene tyndall_scene;              ///< a scene that was found to be valid; it never changes
+typedef struct tyndall_settings tyndall_settings;
+typedef struct tyndall_stop tyndall_stop;
+typedef struct tyndall_image tyndall_image;
+
+/* Scenes from files. */
+
+TYNDALL_API tyndall_status tyndall_scene_load(const char* file, tyndall_scene** scene);
+/// `xml`: the text of such a file; `folder`: where the files that it names are looked for; `name`: for messages.
+TYNDALL_API tyndall_status tyndall_scene_parse(const char* xml, const char* folder, const char* name, tyndall_scene** scene);
+TYNDALL_API void tyndall_scene_destroy(tyndall_scene* scene);
+TYNDALL_API int tyndall_scene_width(const tyndall_scene* scene);
+TYNDALL_API int tyndall_scene_height(const tyndall_scene* scene);
+/// Warning number `index` from 0, or NULL if there are no more; valid as long as the scene.
+TYNDALL_API const char* tyndall_scene_warning(const tyndall_scene* scene, int index);
+
+/* Scenes from memory: everything is copied. Elements are numbered from 0 in the order in which they are added, each kind by itself. `index` may be NULL. */
+
+#define TYNDALL_VACUUM (-1)       ///< the number of no medium
+#define TYNDALL_NO_BOUNDARY (-2)  ///< for both sides of a mesh: it bounds no medium
+
+TYNDALL_API tyndall_status tyndall_description_create(tyndall_description** description);
+TYNDALL_API void tyndall_description_destroy(tyndall_description* description);
+/// Homogeneous; extinction per unit of length and albedo as r, g, b; g: Henyey and Greenstein's mean cosine, in (-1, 1), 0: isotropic.
+TYNDALL_API tyndall_status tyndall_add_medium(tyndall_description* description, const double* sigma_t, const double* albedo, double g, int* index);
+/// Voxels x * y * z of density ([z][y][x]) between two corners: the extinction of that medium is sigma_t times the density, and 0 outside.
+TYNDALL_API tyndall_status tyndall_set_density(tyndall_description* description, int medium, int x, int y, int z, const float* values, const double* low, const double* high);
+/// A boundary without a surface.
+TYNDALL_API tyndall_status tyndall_add_null(tyndall_description* description, int* index);
+TYNDALL_API tyndall_status tyndall_add_diffuse(tyndall_description* description, const double* reflectance, int two_sided, int* index);
+/// Glass, eta: index of refraction inside over outside; alpha 0: smooth, else Beckmann's roughness.
+TYNDALL_API tyndall_status tyndall_add_dielectric(tyndall_description* description, double eta, double alpha, int* index);
+/// Metal; eta and k as r, g, b.
+TYNDALL_API tyndall_status tyndall_add_conductor(tyndall_description* description, const double* eta, const double* k, double alpha, int* index);
+/// Triangles, counter-clockwise seen from outside: 3 doubles per vertex, 3 numbers per triangle. interior, exterior: media; radiance: r, g, b, or NULL if it does not glow.
+TYNDALL_API tyndall_status tyndall_add_mesh(tyndall_description* description, const double* vertices, size_t vertex_count, const uint32_t* triangles, size_t triangle_count, int bsdf,
+                                            int interior, int exterior, const double* radiance, int* index);
+/// `medium`: what the light stands in, or TYNDALL_VACUUM.
+TYNDALL_API tyndall_status tyndall_add_point(tyndall_description* description, const double* intensity, const double* position, int medium);
+TYNDALL_API tyndall_status tyndall_add_spot(tyndall_description* description, const double* intensity, const double* position, const double* direction, double cutoff_degrees,
+                                            double beam_degrees, int medium);
+TYNDALL_API tyndall_status tyndall_add_directional(tyndall_description* description, const double* irradiance, const double* direction);
+TYNDALL_API tyndall_status tyndall_add_constant(tyndall_description* description, const double* radiance);
+/// Horizontal field of view.
+TYNDALL_API tyndall_status tyndall_set_camera(tyndall_description* description, const double* origin, const double* target, const double* up, double fov_degrees, int width, int height,
+                                              int medium);
+TYNDALL_API tyndall_status tyndall_scene_create(const tyndall_description* description, tyndall_scene** scene);
+
+/* Settings. */
+
+TYNDALL_API tyndall_status tyndall_settings_create(tyndall_settings** settings);
+TYNDALL_API void tyndall_settings_destroy(tyndall_settings* settings);
+/// What the option `--name` of `tyndall render` sets, from the same text: ("passes", "64"), ("layer", "single,media_to_media"), ("no-selftest", "true").
+TYNDALL_API tyndall_status tyndall_settings_set(tyndall_settings* settings, const char* name, const char* value);
+/// Refuse what is estimated to take more memory on host and device; 0: no bound.
+TYNDALL_API void tyndall_settings_max_bytes(tyndall_settings* settings, uint64_t bytes);
+/// The caller's cl_context and cl_device_id, and a cl_command_queue that is in order, or NULL. They are retained while a render runs.
+TYNDALL_API void tyndall_settings_opencl(tyndall_settings* settings, void* context, void* device, void* queue);
+
+typedef struct tyndall_progress {
+    size_t size;                     ///< bytes of this struct, as the library knows it
+    int passes_done, passes_wanted;  ///< wanted 0: until the time is up
+    double seconds, seconds_left;
+    double error;                    ///< estimated root of the relative mean square error; negative: unknown yet
+    int width, height;
+    const void* film;                ///< for tyndall_preview, during the callback
+} tyndall_progress;
+
+/// After every pass, on the thread that called tyndall_render; anything but 0 ends the render with the passes so far.
+typedef int (*tyndall_progress_callback)(void* user, const tyndall_progress* progress);
+/// level 0: information, 1: a warning.
+typedef void (*tyndall_log_callback)(void* user, int level, const char* text);
+/// Either may be NULL.
+TYNDALL_API void tyndall_settings_callbacks(tyndall_settings* settings, tyndall_progress_callback progress, tyndall_log_callback log, void* user);
+/// The picture so far: width * height * 3 floats.
+TYNDALL_API tyndall_status tyndall_preview(const tyndall_progress* progress, float* rgb, size_t floats);
+
+/// A flag that ends renders from any thread or signal handler. It must outlive the renders that it was given to.
+TYNDALL_API tyndall_status tyndall_stop_create(tyndall_stop** stop);
+TYNDALL_API void tyndall_stop_raise(tyndall_stop* stop);
+TYNDALL_API void tyndall_stop_destroy(tyndall_stop* stop);
+TYNDALL_API void tyndall_settings_stop(tyndall_settings* settings, const tyndall_stop* stop);
+
+/* Images. */
+
+/// settings NULL: the program's.
+TYNDALL_API tyndall_status tyndall_render(const tyndall_scene* scene, const tyndall_settings* settings, tyndall_image** image);
+TYNDALL_API void tyndall_image_destroy(tyndall_image* image);
+TYNDALL_API int tyndall_image_width(const tyndall_image* image);
+TYNDALL_API int tyndall_image_height(const tyndall_image* image);
+TYNDALL_API int tyndall_image_passes(const tyndall_image* image);
+/// As in tyndall_progress.
+TYNDALL_API double tyndall_image_error(const tyndall_image* image);
+/// "passes", "time", "target error" or "interrupt".
+TYNDALL_API const char* tyndall_image_stopped_by(const tyndall_image* image);
+/// "beauty", "variance" (of the mean of the beauty) or the name of a layer: width * height * 3 floats, rows from the top, valid as long as the image; NULL if there is no such layer.
+TYNDALL_API const float* tyndall_image_layer(const tyndall_image* image, const char* name);
+/// JSON.
+TYNDALL_API const char* tyndall_image_report(const tyndall_image* image);
+/// Layered OpenEXR into a file *.exr, with .png and .json beside it.
+TYNDALL_API tyndall_status tyndall_image_write(const tyndall_image* image, const char* exr);
+
+/* Devices. */
+
+/// How many OpenCL devices there are.
+TYNDALL_API int tyndall_device_count(void);
+/// "platform: name", by index; with what it lacks in parentheses if it cannot be used. Valid until the next call on this thread; NULL beyond the last.
+TYNDALL_API const char* tyndall_device_name(int index);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
