@@ -16,6 +16,7 @@ build_packages=(
 optional_packages=(libopenvdb-dev)                          # .vdb files; tests/run.sh installs it, so that they are tested
 test_packages=(libgtest-dev libgmock-dev librapidcheck-dev python3 python3-numpy
                chromium chromium-driver)                    # the page of `tyndall compare`
+fuzz_packages=(clang)                                       # tests/fuzz: libFuzzer comes with it
 
 say() { printf 'tyndall: %s\n' "$*" >&2; }
 

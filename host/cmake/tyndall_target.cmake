@@ -2,11 +2,14 @@
 # (kernels/dialect.h: fma is written where the algebra needs it), and the sanitizer of the preset.
 add_library(tyndall_build INTERFACE)
 target_compile_features(tyndall_build INTERFACE cxx_std_20)
-target_compile_options(tyndall_build INTERFACE -Wall -Wextra -Wpedantic -Wno-missing-field-initializers -Wno-restrict -ffp-contract=off)
+target_compile_options(tyndall_build INTERFACE -Wall -Wextra -Wpedantic -Wno-missing-field-initializers $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> -ffp-contract=off)
 target_include_directories(tyndall_build INTERFACE ${PROJECT_SOURCE_DIR}/host ${PROJECT_SOURCE_DIR}/host/include ${PROJECT_SOURCE_DIR})
 if(TYNDALL_SANITIZE)
-  target_compile_options(tyndall_build INTERFACE -fsanitize=${TYNDALL_SANITIZE} -fno-omit-frame-pointer)
+  target_compile_options(tyndall_build INTERFACE -fsanitize=${TYNDALL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(tyndall_build INTERFACE -fsanitize=${TYNDALL_SANITIZE})
+endif()
+if(TYNDALL_FUZZ)
+  target_compile_options(tyndall_build INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
 # tyndall_part(NAME SOURCES a.cpp b.cpp USES other targets): one folder of host/ as a static library.

@@ -19,6 +19,7 @@
 #include <cmath>
 
 #include "film/atomic_file.hpp"
+#include "film/exr_header.hpp"
 #include "tyndall/error.hpp"
 
 namespace tyndall {
@@ -100,6 +101,7 @@ void refuse_unlikely(const std::filesystem::path& file)
     if (!Imf::isOpenExrFile(file.c_str(), tiled, deep, multi_part)) throw unreadable(file, "is not an OpenEXR file");
     if (deep || multi_part)
         throw unreadable(file, deep ? "holds deep data, which is not supported" : "has several parts, which is not supported");
+    if (!exr_header_fits(file)) throw unreadable(file, "its header claims more bytes than there are");
 }
 
 /// Checks the header's claims against the file before anything is allocated.

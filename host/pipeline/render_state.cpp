@@ -111,10 +111,10 @@ void write_state(const std::filesystem::path& file, const RenderState& state)
     AtomicFile out(file);
     out.seek(sizeof(Frame));
     Checksum sum;
-    std::vector<std::byte> buffer;
-    const auto flush = [&] { out.write(buffer.data(), buffer.size()), sum.add(buffer), buffer.clear(); };
+    std::string buffer;
+    const auto flush = [&] { out.write(buffer.data(), buffer.size()), sum.add(std::as_bytes(std::span(buffer))), buffer.clear(); };
     ByteWriter writer([&](std::span<const std::byte> bytes) {
-        buffer.insert(buffer.end(), bytes.begin(), bytes.end());
+        buffer.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         if (buffer.size() > std::size_t(1) << 20) flush();
     });
     fields(writer, state);

@@ -4,9 +4,11 @@
 #include <openvdb/openvdb.h>
 #include <openvdb/tools/Dense.h>
 
+#include <iostream>
 #include <sstream>
 
 #include "scene/text.hpp"
+#include "scene/vdb_header.hpp"
 #include "scene/volume_files.hpp"
 
 namespace tyndall {
@@ -61,8 +63,21 @@ Mat4 placement_of(const openvdb::FloatGrid& grid, const openvdb::CoordBBox& box)
     return Mat4(axis({1, 0, 0}), axis({0, 1, 0}), axis({0, 0, 1}), glm::dvec4(origin, 1));
 }
 
+/// Nothing that is written to standard output arrives there: OpenVDB's warnings do not belong among the data of `--json`.
+class QuietOutput {
+public:
+    QuietOutput() : kept_(std::cout.rdbuf(nullptr)) {}
+    ~QuietOutput() { std::cout.rdbuf(kept_); }
+    QuietOutput(const QuietOutput&) = delete;
+    QuietOutput& operator=(const QuietOutput&) = delete;
+
+private:
+    std::streambuf* kept_;
+};
+
 openvdb::GridPtrVecPtr grids_of(std::string bytes)
 {
+    const QuietOutput quiet;
     openvdb::initialize();
     std::istringstream stream(std::move(bytes));
     stream.exceptions(std::ios::failbit | std::ios::badbit);  // OpenVDB does not ask: behind the end of the file it would go on with what it read last
@@ -74,6 +89,7 @@ openvdb::GridPtrVecPtr grids_of(std::string bytes)
 
 VolumeFile read_vdb(std::string bytes, const std::string& name)
 {
+    check_vdb_header(bytes, openvdb::OPENVDB_FILE_VERSION);
     try {
         const openvdb::GridPtrVecPtr grids = grids_of(std::move(bytes));
         const openvdb::FloatGrid::Ptr grid = grid_named(*grids, name);

@@ -126,6 +126,25 @@ TEST(Exr, RefusesAHeaderThatClaimsTooManyPixels)
     EXPECT_THROW(read_exr(folder / "large.exr"), IoError);
 }
 
+// Found by tests/fuzz: OpenEXR would take the memory first, 2 GiB for a file of 300 bytes.
+TEST(Exr, RefusesAnAttributeLargerThanTheFile)
+{
+    test::TemporaryFolder folder;
+    write_exr(folder / "a.exr", small_image());
+    const std::string bytes = file_bytes(folder / "a.exr");
+    const auto type = bytes.find(std::string("tyndall.seed\0string\0", 20));
+    ASSERT_NE(type, std::string::npos);
+    for (const std::string& size : {std::string("\xff\xff\xff\x7f"), std::string("\xff\xff\xff\xff"), std::string("\x00\x10\x00\x00", 4)}) {
+        write_bytes(folder / "b.exr", std::string(bytes).replace(type + 20, 4, size));
+        try {
+            read_exr(folder / "b.exr");
+            ADD_FAILURE();
+        } catch (const IoError& error) {
+            EXPECT_NE(std::string(error.what()).find("its header claims more bytes than there are"), std::string::npos) << error.what();
+        }
+    }
+}
+
 TEST(Exr, SurvivesEveryFlippedByte)
 {
     // Damage may go unnoticed (no checksums), but must end in an image or an IoError.

@@ -1,0 +1,48 @@
+#!/usr/bin/env bash
+# Fuzzes every reader of foreign bytes: builds the fuzzers with Clang, then runs each for so long.
+#   bash tests/fuzz/run.sh [seconds for each, 20] [target...]      for example  bash tests/fuzz/run.sh 1800 scene ply
+# New inputs that reach further are kept in build/fuzz/corpus; what breaks a promise lies in build/fuzz/findings. Exit code 1: something was found.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../../host/cmake/install_and_build.sh"
+seconds=${1:-20}
+shift || true
+targets=("$@")
+[[ ${#targets[@]} -gt 0 ]] || targets=(scene obj ply vol vdb exr checkpoint shards numbers)
+fuzz_folder=$repository_root/tests/fuzz
+build_folder=$repository_root/build/fuzz
+
+install_packages "${build_packages[@]}" "${optional_packages[@]}" "${fuzz_packages[@]}"
+cd "$repository_root"
+(cmake --preset fuzz --log-level=WARNING && cmake --build --preset fuzz) >&2
+
+# fuzz NAME SECONDS SEED: one fuzzer, from the repository's corpus and what earlier runs have found. An input may take 10 s, a fuzzer 2 GB.
+fuzz() {
+  local target=$1 options=()
+  local found=$build_folder/corpus/$target
+  mkdir -p "$found" "$build_folder/findings"
+  [[ -f $fuzz_folder/dictionaries/$target.dict ]] && options+=("-dict=$fuzz_folder/dictionaries/$target.dict")
+  [[ $target == vdb ]] && options+=(-detect_leaks=0)
+  "$build_folder/tests/fuzz/fuzz_$target" -max_total_time="$2" -seed="$3" -timeout=10 -rss_limit_mb=2048 -max_len=32768 -len_control=20 -print_final_stats=1 \
+    -artifact_prefix="$build_folder/findings/$target-" "${options[@]}" "$found" "$fuzz_folder/corpus/$target"
+}
+
+# run_target NAME: in pieces of 20 s, because OpenVDB leaks. Prints executions, edges of the program's graph that were reached, of how many, and inputs kept.
+run_target() {
+  local target=$1 left=$seconds piece=0 log=$build_folder/$1.log
+  : >"$log"
+  while ((left > 0)); do
+    if ! fuzz "$target" $((left < 20 ? left : 20)) $((++piece)) 2>>"$log"; then
+      grep -aE 'ERROR|SUMMARY|broken promise|terminate|what\(\)|runtime error|Test unit written' "$log" >&2 || tail -20 "$log" >&2
+      printf '%-12s found something: see %s\n' "$target" "$log"
+      return 1
+    fi
+    left=$((left - 20))
+  done
+  awk -v target="$target" '/Loaded 1 modules/ { match($0, /\(([0-9]+) inline/); all = substr($0, RSTART + 1, RLENGTH - 8) }
+    { for (i = 1; i < NF; ++i) if ($i == "cov:") reached = $(i + 1); if ($2 == "DONE") for (i = 1; i < NF; ++i) if ($i == "corp:") kept = $(i + 1) }
+    /number_of_executed_units/ { runs += $2 } END { printf "%-12s %9d executions, %5d of %d edges, %s inputs kept\n", target, runs, reached, all, kept }' "$log"
+}
+
+failed=0
+for target in "${targets[@]}"; do run_target "$target" || failed=1; done
+exit $failed
