@@ -5,18 +5,38 @@
 #include <optional>
 
 #include "cli/calibrated_lanes.hpp"
+#include "cli/compare_command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/version.hpp"
+#include "film/atomic_file.hpp"
 #include "report/readable.hpp"
 #include "throughput/clocks.hpp"
 #include "throughput/lane_store.hpp"
 #include "throughput/throughput_output.hpp"
+#include "tyndall/error.hpp"
 
 namespace tyndall {
 
+int run_accuracy(const BenchCommand& command)
+{
+    const BenchScene& scene = bench_scenes().front();
+    std::error_code error;
+    std::filesystem::create_directories(command.output, error);
+    if (error) throw IoError(fmt::format("{}: the folder cannot be made: {}; name another one with -o", command.output.string(), error.message()));
+    write_atomically(command.output / "scene.xml", std::string(scene.text, scene.size));
+    CompareCommand compare{.inputs = {command.output / "scene.xml"}, .invocation = command.invocation, .layers = {"media_to_media"}, .json = command.json, .every_dial = true,
+                           .repeats = command.repeats, .output = command.output, .resolution = {{64, 64}}};
+    compare.settings.device = command.request.device;
+    // Some 30 values, run `repeats` times each, and a reference of 30 such runs.
+    compare.times = {command.seconds.value_or(300) / (30 * (command.repeats + 1))};
+    return run_compare(compare);
+}
+
 int run_bench(const BenchCommand& command)
 {
+    if (command.accuracy) return run_accuracy(command);
     ThroughputRequest request = command.request;
+    request.seconds = command.seconds.value_or(request.seconds);
     std::optional<OneCore> one_core;
     if (request.cores == Cores::one) one_core.emplace();
     request.default_lanes = kept_lanes(choose_device(request.device));

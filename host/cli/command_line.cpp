@@ -43,6 +43,7 @@ constexpr const char* examples = R"(Examples:
   tyndall info scene.xml                         what the file says
   tyndall devices                                where it can run
   tyndall bench                                  how fast that is
+  tyndall bench --accuracy -o dials              what every option is worth in accuracy for the same time
   tyndall selftest                               whether the device computes as it must
 )";
 
@@ -143,13 +144,12 @@ int run(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         return end_of_parsing(app, error, argc, argv);
     }
+    std::string invocation = "tyndall";
+    for (int i = 1; i < argc; ++i) invocation += " " + shell_quoted(argv[i]);
+    request.compare.invocation = request.bench.invocation = invocation;
     if (app.got_subcommand("render")) return run_render(request.render);
     if (app.got_subcommand("explain")) return run_explain(request.explain);
-    if (app.got_subcommand("compare")) {
-        request.compare.invocation = "tyndall";
-        for (int i = 1; i < argc; ++i) request.compare.invocation += " " + shell_quoted(argv[i]);
-        return run_compare(request.compare);
-    }
+    if (app.got_subcommand("compare")) return run_compare(request.compare);
     if (app.got_subcommand("merge")) return run_merge(request.merge);
     if (app.got_subcommand("info")) return run_info(request.info);
     if (app.got_subcommand("selftest")) return run_selftest(request.selftest);

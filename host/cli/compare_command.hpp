@@ -22,11 +22,12 @@ struct CompareCommand {
     // a scene
     std::vector<Method> methods;                ///< empty: all that there are
     std::vector<Dial> dials;                    ///< settings with their values
+    bool every_dial = false;                    ///< one setting at a time around the first method, instead of `dials`
     std::vector<double> times;                  ///< seconds; empty: 1, 6
     int repeats = 3;
     std::filesystem::path reference, output;    ///< empty: made here; folder named after the scene
     std::optional<double> reference_seconds;    ///< none: four times the longest time
-    Method reference_method = Method::path;
+    std::optional<Method> reference_method;     ///< none: path tracing; with every dial the first method, if it is unbiased
     RenderSettings settings;                    ///< what is the same for all
     LoadOptions load;
     std::optional<std::pair<int, int>> resolution;

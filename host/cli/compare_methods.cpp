@@ -13,26 +13,42 @@
 #include "cli/render_line.hpp"
 #include "cli/version.hpp"
 #include "comparison/comparison_json.hpp"
+#include "device/device_list.hpp"
 #include "film/atomic_file.hpp"
+#include "kernels/shared/host_features.hpp"
+#include "lights/light_technique.hpp"
 #include "path_tracing/path_tracing.hpp"
+#include "pipeline/choose_sampler.hpp"
+#include "pipeline/layer_plan.hpp"
 #include "pipeline/light_selection_plan.hpp"
 #include "report/comparison_page.hpp"
 #include "report/readable.hpp"
 #include "tyndall/error.hpp"
+#include "tyndall/setting_names.hpp"
 
 namespace tyndall {
 namespace {
 
 namespace fs = std::filesystem;
 
+Method unbiased_or_path(Method method)
+{
+    const LightTechnique* technique = technique_of(method);
+    return technique && technique->unbiased && !is_clamped(method) ? method : Method::path;
+}
+
 /// Fills in what was not given, and puts the times in order.
 void complete(CompareCommand& command)
 {
-    if (command.methods.empty()) command.methods = {Method::vrl, Method::path};
+    if (command.every_dial && (command.methods.size() > 1 || !command.dials.empty()))
+        throw UsageError("--dials turns every dial of one method; name one with --methods and leave the other lists out");
+    if (command.methods.empty()) command.methods = command.every_dial ? std::vector{Method::vrl} : std::vector{Method::vrl, Method::path};
     if (command.times.empty()) command.times = {1, 6};
     std::ranges::sort(command.times);
     command.times.erase(std::unique(command.times.begin(), command.times.end()), command.times.end());
-    if (!command.reference_seconds) command.reference_seconds = 4 * command.times.back();
+    // What dials turn is far less noisy than path tracing where it pays at all, and its differences are small: the reference must be better still.
+    if (command.every_dial && !command.reference_method) command.reference_method = unbiased_or_path(command.methods.front());
+    if (!command.reference_seconds) command.reference_seconds = (command.every_dial ? 30 : 4) * command.times.back();
     if (command.output.empty()) command.output = fs::path(command.inputs.front().stem()) += "_compare";
     if (!command.layers.empty()) command.settings.layers = {};
     for (const std::string& layer : command.layers) parse_layers("--layer", layer, command.settings.layers);
@@ -60,7 +76,7 @@ Reference load_reference(const CompareCommand& command, const Scene& scene)
 Reference make_and_write_reference(const CompareCommand& command, const Scene& scene, const RenderFunction& render, const InterruptGuard& interrupt)
 {
     RenderSettings settings = command.settings;
-    settings.method = command.reference_method;
+    settings.method = command.reference_method.value_or(Method::path);
     fmt::print(stderr, "reference: {}, about {}\n", name(settings.method), readable_seconds(*command.reference_seconds));
     MadeReference made = make_reference(render, settings, *command.reference_seconds, [&] { return interrupt.signal() != 0; });
     if (settings.method == Method::path)
@@ -99,6 +115,22 @@ void write_page(const CompareCommand& command, const Comparison& comparison)
         for (const char* file : {"index.html", "comparison.json"}) fmt::print("{}\n", (command.output / file).string());
 }
 
+EveryDial what_to_compare(const CompareCommand& command, const Scene& scene)
+{
+    if (!command.every_dial) return {candidates_of(command.settings, command.methods, command.dials), {}};
+    RenderSettings base = command.settings;
+    base.method = command.methods.front(), base.seconds = command.times.back();
+    const DeviceInfo device = choose_device(base.device);
+    const SelectionPlan plan = plan_selection(base, scene.camera);
+    const SceneFeatures features = features_for(scene, base);
+    const std::string sampler = sampler_name(choose_sampler(scene, features, base.sampler).sampler);
+    const std::uint32_t mask = features.media_to_media | features.media_to_surface;
+    base.seconds = 0;
+    return every_dial(base, {.lights = plan.lights, .selected = plan.chosen ? plan.slots : plan.lights, .lanes = base.lanes ? base.lanes : device.default_lanes,
+                             .sampler = parse_named("sampler", sampler, sampler_names), .anisotropic = (mask & feature_bit::anisotropic) != 0,
+                             .grids = (mask & feature_bit::heterogeneous) != 0, .fp64 = device.fp64});
+}
+
 void say_how_long(const CompareCommand& command, std::size_t candidates)
 {
     const double reference = command.reference.empty() ? *command.reference_seconds : 0, runs = static_cast<double>(candidates) * command.repeats * command.times.back();
@@ -113,10 +145,11 @@ int compare_methods(CompareCommand& command)
 {
     complete(command);
     if (const auto warning = take_calibrated_lanes(command.settings); !warning.empty()) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
-    const auto candidates = candidates_of(command.settings, command.methods, command.dials);
+    if (!command.every_dial) candidates_of(command.settings, command.methods, command.dials);  // what makes no sense is refused before anything is read
     Scene scene = load_scene(command.inputs.front(), command.load);
     for (const auto& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
     override_film(scene.camera, command.resolution, command.crop);
+    const auto [candidates, sweeps] = what_to_compare(command, scene);
     prepare_output(command.output);
     const RenderFunction render_scene = [&](const RenderSettings& settings, const ProgressCallback& progress) {
         RenderSettings longest = settings;
@@ -132,8 +165,8 @@ int compare_methods(CompareCommand& command)
     const auto note = [](const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); };
     const auto measurements = measure(candidates, reference, plan, render_scene, {[&] { return interrupt.signal() != 0; }, note, seconds_now});
     if (measurements.front().runs.empty()) throw Error("stopped before every method had one run, so there is nothing to write");
-    const Judgement judgement = judge(measurements, reference, plan.times);
-    write_page(command, {about(command, scene, measurements, judgement), reference, plan, measurements, judgement});
+    const Judgement judgement = judge(measurements, reference, plan.times, sweeps.empty() ? all_pairs(candidates.size()) : pairs_of(sweeps));
+    write_page(command, {about(command, scene, measurements, judgement), reference, plan, measurements, judgement, sweeps});
     return interrupt.signal() ? exit_after_signal + interrupt.signal() : static_cast<int>(ExitCode::ok);
 }
 

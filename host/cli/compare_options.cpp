@@ -6,6 +6,7 @@
 
 #include "cli/parse_values.hpp"
 #include "cli/render_options.hpp"
+#include "lights/light_technique.hpp"
 
 namespace tyndall {
 namespace {
@@ -51,6 +52,32 @@ void add_number_dial(CLI::App& app, CompareCommand& command, const char* option,
         }
         command.dials.push_back(dial);
     });
+}
+
+/// A dial of numbers that only some methods have.
+void add_share_dial(CLI::App& app, CompareCommand& command, const char* option, const char* description, double (*parse)(std::string_view, const std::string&), const char* words,
+                    bool (*concerns)(Method), std::optional<double> RenderSettings::*member)
+{
+    add_list(app, option, "NUMBERS", description, [=, &command](const Texts& texts) {
+        Dial dial{.values = {}, .concerns = concerns};
+        for (const std::string& text : texts) {
+            const double value = parse(option, text);
+            dial.values.push_back({fmt::format(fmt::runtime(words), text), [member, value](RenderSettings& s) { s.*member = value; }});
+        }
+        command.dials.push_back(dial);
+    });
+}
+
+double parse_clamp(std::string_view option, const std::string& text) { return parse_number(option, text, 1e-6, 1e12); }
+double parse_radius(std::string_view option, const std::string& text) { return parse_share(option, text); }
+
+/// What makes methods biased, and what kernels compute with.
+void add_more_dials(CLI::App& app, CompareCommand& command)
+{
+    add_share_dial(app, command, "--clamps", "of clamped methods (100)", parse_clamp, "clamp {}", is_clamped, &RenderSettings::clamp);
+    add_share_dial(app, command, "--beam-radii", "of beams in the first pass, shares of the scene's half diagonal: .05 or 5% (.05)", parse_radius, "radius {}", is_thick, &RenderSettings::beam_radius);
+    add_named_dial(app, command, "--precisions", "of the kernels", precision_names, &RenderSettings::precision);
+    add_named_dial(app, command, "--maths", "of the kernels", math_names, &RenderSettings::math);
 }
 
 void add_dials(CLI::App& app, CompareCommand& command)
@@ -117,6 +144,8 @@ void add_compare_options(CLI::App& app, CompareCommand& command)
         [&](const auto& text) { command.tolerance = parse_share("--tolerance", text); });
     app.add_flag("--json", command.json, "as JSON, on standard output");
     add_dials(app, command);
+    add_more_dials(app, command);
+    app.add_flag("--dials", command.every_dial, "every dial of the first method by itself: what each is worth in accuracy for the same time");
     add_measuring(app, command);
     add_scene(app, command);
 }

@@ -20,6 +20,8 @@ std::string virtual_light_options(const RenderSettings& s)
     if (s.sequence != Sequence::automatic) line += fmt::format(" --sequence {}", name_in(sequence_names, s.sequence));
     if (s.emission != Sequence::automatic) line += fmt::format(" --emission {}", name_in(sequence_names, s.emission));
     if (s.transmittance != GridTransmittance::march) line += fmt::format(" --transmittance {}", name_in(transmittance_names, s.transmittance));
+    if (s.precision != Precision::f32) line += fmt::format(" --precision {}", name_in(precision_names, s.precision));
+    if (s.math != KernelMath::strict) line += fmt::format(" --math {}", name_in(math_names, s.math));
     if (s.segment_length == SegmentLength::short_) line += " --short";
     if (s.clamp) line += fmt::format(" --clamp {:g}", *s.clamp);
     if (s.beam_radius) line += fmt::format(" --beam-radius {:g}", *s.beam_radius);

@@ -172,6 +172,10 @@ void add_machine(CLI::App& app, RenderSettings& settings)
     })->envname("TYNDALL_THREADS");
     add(app, "--features", "NAMES", "build kernels for these features, comma-separated, all or own; what the scene needs must be among them (own)",
         [&](const auto& text) { settings.features = parse_features("--features", text); });
+    add(app, "--precision", "NAME", "of the kernels: f32, or f64 where the device has it; part of the result (f32)",
+        [&](const auto& text) { settings.precision = parse_named("--precision", text, precision_names); });
+    add(app, "--math", "NAME", "of the kernels: strict, or fast, which lets compilers reorder and approximate and which no selftest covers (strict)",
+        [&](const auto& text) { settings.math = parse_named("--math", text, math_names); });
     app.add_flag_callback(
         "--no-selftest", [&] { settings.selftest = false; }, "render on a device that fails its selftest, or has not passed it yet, at your own risk");
     add(app, "--tile", "PAIRS", "pairs per tile; never changes a byte of the image",
@@ -247,7 +251,10 @@ void add_bench_options(CLI::App& app, BenchCommand& command)
         ->allow_extra_args(false);
     add(app, "--cores", "WHICH", "one: processor time on one core; all: time on the wall with the whole device (one)",
         [&](const auto& text) { command.request.cores = parse_choice("--cores", text, {"one", "all"}) == 0 ? Cores::one : Cores::all; });
-    add(app, "-t,--time", "TIME", "about so long may be spent on measuring, after the kernels were built (10 s)", [&](const auto& text) { command.request.seconds = parse_duration("--time", text); });
+    add(app, "-t,--time", "TIME", "about so long may be spent on measuring, after the kernels were built (10 s; 5m for --accuracy)", [&](const auto& text) { command.seconds = parse_duration("--time", text); });
+    auto* accuracy = app.add_flag("--accuracy", command.accuracy, "what every dial is worth in accuracy for the same time, in a foggy room that comes with the program, as a table and a page");
+    app.add_option("-o,--output", command.output, "folder for that page (accuracy)")->type_name("FOLDER")->needs(accuracy);
+    add(app, "--repeats", "N", "runs of each value there (8)", [&](const auto& text) { command.repeats = static_cast<int>(parse_integer("--repeats", text, 2, 1000)); })->needs(accuracy);
     app.add_flag("--json", command.json, "as JSON");
 }
 

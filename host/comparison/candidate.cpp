@@ -16,7 +16,7 @@ std::vector<Candidate> multiplied(const std::vector<Candidate>& candidates, cons
 {
     std::vector<Candidate> all;
     for (const Candidate& candidate : candidates) {
-        if (dial.of_virtual_lights && !uses_virtual_lights(candidate.settings.method)) {
+        if (!(dial.concerns ? dial.concerns(candidate.settings.method) : uses_virtual_lights(candidate.settings.method))) {
             all.push_back(candidate);
             continue;
         }

@@ -22,11 +22,11 @@ struct DialValue {
 /// A setting with one or more values to compare.
 struct Dial {
     std::vector<DialValue> values;
-    bool of_virtual_lights = true;  ///< false: it also changes methods without virtual lights
+    std::function<bool(Method)> concerns = {};  ///< the methods that it changes; none: those with virtual lights
 };
 
-/// Every combination of the values, the first dial outermost: `methods` first, which is named always; other dials are named only if they have several values. A method without virtual
-/// lights takes part once for every combination of the dials that concern it. Throws UsageError for no method, for more than `most_candidates`, and for two of one name.
+/// Every combination of the values, the first dial outermost: `methods` first, which is named always; other dials are named only if they have several values. A method takes
+/// part once for every combination of the dials that concern it. Throws UsageError for no method, for more than `most_candidates`, and for two of one name.
 std::vector<Candidate> candidates_of(const RenderSettings& base, const std::vector<Method>& methods, const std::vector<Dial>& dials);
 
 inline constexpr std::size_t most_candidates = 16;  ///< more curves than a reader, or a page, can hold apart

@@ -129,6 +129,13 @@ Json verdicts_of(const Comparison& c)
     return verdicts;
 }
 
+Json dials_of(const Comparison& c)
+{
+    Json dials = Json::array();
+    for (const DialSweep& sweep : c.sweeps) dials.push_back({{"dial", sweep.name}, {"usual_value", sweep.usual_value}, {"usual", sweep.usual}, {"others", sweep.others}});
+    return dials;
+}
+
 Json data_of(const Comparison& c)
 {
     Json json{{"schema", "tyndall-comparison/1"}, {"version", c.about.version}, {"command", c.about.command}};
@@ -139,6 +146,7 @@ Json data_of(const Comparison& c)
     json["candidates"] = Json::array();
     for (std::size_t i = 0; i < c.measurements.size(); ++i) json["candidates"].push_back(candidate_of(c, i));
     json["verdicts"] = verdicts_of(c);
+    if (!c.sweeps.empty()) json["dials"] = dials_of(c);
     json["warnings"] = c.about.warnings;
     for (const std::string& warning : c.reference.warnings) json["warnings"].push_back(warning);
     return json;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "comparison/every_dial.hpp"
 #include "comparison/judge.hpp"
 
 namespace tyndall {
@@ -23,6 +24,7 @@ struct Comparison {
     const MeasuringPlan& plan;
     const std::vector<Measurement>& measurements;
     const Judgement& judgement;
+    const std::vector<DialSweep>& sweeps;    ///< one dial at a time; empty: a comparison of all with all
 };
 
 /// "schema": "tyndall-comparison/1". Numbers that are unknown or not finite are null; seeds and the hash are text.

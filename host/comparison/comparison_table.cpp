@@ -17,6 +17,34 @@ std::string error_text(const ErrorAt& at)
     return fmt::format("{}{:.3g} % ({:.3g} to {:.3g})", at.at_most ? "< " : "", percent(at.relative_mse->median), percent(at.relative_mse->low), percent(at.relative_mse->high));
 }
 
+/// "1.9 (1.6 to 2.3)" times the relMSE of the usual value, or what keeps it from being told.
+std::string price_text(const Comparison& c, const DialSweep& sweep, std::size_t other)
+{
+    const auto verdict = std::ranges::find_if(c.judgement.verdicts, [&](const Verdict& v) {
+        return v.seconds == c.plan.times.back() && ((v.better == sweep.usual && v.worse == other) || (v.worse == sweep.usual && v.better == other));
+    });
+    if (verdict == c.judgement.verdicts.end()) return "no pass yet";
+    const bool worse = verdict->worse == other;
+    const double ratio = worse ? verdict->ratio : 1 / verdict->ratio;
+    if (!(verdict->high > 0)) return fmt::format("{:.3g}, without an error bar", ratio);
+    const double low = worse ? verdict->low : 1 / verdict->high, high = worse ? verdict->high : 1 / verdict->low;
+    return fmt::format("{:.3g} ({:.3g} to {:.3g}){}", ratio, low, high, verdict->significant ? "" : ", not told apart");
+}
+
+/// A row per value of a dial.
+std::string dial_table(const Comparison& c)
+{
+    std::string text = fmt::format("relMSE at {:g} s over that of the usual value: so many times longer for the same error, with intervals that hold together with 95 %\n", c.plan.times.back());
+    for (const DialSweep& sweep : c.sweeps) {
+        text += fmt::format("{:<26} {} is usual\n", sweep.name, sweep.usual_value);
+        for (const std::size_t other : sweep.others) {
+            const std::string& name = c.measurements[other].candidate.name;
+            text += fmt::format("  {:<28} {:<44} {}\n", name, price_text(c, sweep, other), c.judgement.summaries[other].bias.significant() ? sentence(c.judgement.summaries[other].bias) : "");
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string to_table(const Comparison& c)
@@ -38,6 +66,7 @@ std::string to_table(const Comparison& c)
             text += fmt::format("{:<{}}  outliers: in {} of {} runs a thousandth of the values holds up to {:.0f} % of the squared error\n", "", width, s.runs_with_outliers,
                                 c.measurements[i].runs.size(), 100 * s.share_of_largest);
     }
+    if (!c.sweeps.empty()) return text + dial_table(c);
     for (const Verdict& verdict : c.judgement.verdicts)
         if (verdict.seconds == c.plan.times.back()) text += sentence(verdict, c.measurements) + "\n";
     return text;

@@ -99,7 +99,7 @@ std::optional<MeanEstimate> log_error(const std::vector<Run>& runs, double secon
 }
 
 /// `a` has the lower mean log relMSE, or where that is unknown, any of the two.
-Verdict verdict_of_pair(std::size_t a, std::size_t b, const std::vector<Measurement>& all, const Judgement& judgement, std::size_t time, double floor)
+Verdict verdict_of_pair(std::size_t a, std::size_t b, const std::vector<Measurement>& all, const Judgement& judgement, std::size_t time, double floor, std::size_t pairs)
 {
     const ErrorAt &of_a = judgement.summaries[a].at_times[time], &of_b = judgement.summaries[b].at_times[time];
     Verdict verdict{.better = a, .worse = b, .seconds = of_a.seconds, .ratio = of_b.relative_mse->median / of_a.relative_mse->median};
@@ -108,10 +108,9 @@ Verdict verdict_of_pair(std::size_t a, std::size_t b, const std::vector<Measurem
         if (verdict.ratio < 1) std::swap(verdict.better, verdict.worse), verdict.ratio = 1 / verdict.ratio;
         return verdict;
     }
-    const double pairs = .5 * static_cast<double>(all.size() * (all.size() - 1));  // Bonferroni: all intervals of a time hold together
     const MeanEstimate difference{log_b->value - log_a->value, log_a->variance + log_b->variance, welch_degrees(*log_a, *log_b)};
-    if (difference.value < 0) return verdict_of_pair(b, a, all, judgement, time, floor);
-    const double width = half_width(difference, 1 - .05 / pairs);
+    if (difference.value < 0) return verdict_of_pair(b, a, all, judgement, time, floor, pairs);
+    const double width = half_width(difference, 1 - .05 / static_cast<double>(pairs));  // Bonferroni: all intervals of a time hold together
     verdict.ratio = std::exp(difference.value), verdict.low = std::exp(difference.value - width), verdict.high = std::exp(difference.value + width);
     verdict.significant = verdict.low > 1;
     return verdict;
@@ -119,15 +118,22 @@ Verdict verdict_of_pair(std::size_t a, std::size_t b, const std::vector<Measurem
 
 }  // namespace
 
-Judgement judge(const std::vector<Measurement>& measurements, const Reference& reference, const std::vector<double>& times)
+std::vector<std::pair<std::size_t, std::size_t>> all_pairs(std::size_t candidates)
+{
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t a = 0; a < candidates; ++a)
+        for (std::size_t b = a + 1; b < candidates; ++b) pairs.emplace_back(a, b);
+    return pairs;
+}
+
+Judgement judge(const std::vector<Measurement>& measurements, const Reference& reference, const std::vector<double>& times, const std::vector<std::pair<std::size_t, std::size_t>>& pairs)
 {
     Judgement judgement;
     for (const Measurement& measurement : measurements) judgement.summaries.push_back(summary_of(measurement.runs, reference, times));
     const auto known = [&](std::size_t c, std::size_t t) { return judgement.summaries[c].at_times[t].relative_mse.has_value(); };
     for (std::size_t t = 0; t < times.size(); ++t)
-        for (std::size_t a = 0; a < measurements.size(); ++a)
-            for (std::size_t b = a + 1; b < measurements.size(); ++b)
-                if (known(a, t) && known(b, t)) judgement.verdicts.push_back(verdict_of_pair(a, b, measurements, judgement, t, reference.floor));
+        for (const auto& [a, b] : pairs)
+            if (known(a, t) && known(b, t)) judgement.verdicts.push_back(verdict_of_pair(a, b, measurements, judgement, t, reference.floor, pairs.size()));
     return judgement;
 }
 

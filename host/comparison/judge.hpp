@@ -2,6 +2,7 @@
 /// What the runs say, and no more than their error bars carry.
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "comparison/measure.hpp"
@@ -35,17 +36,20 @@ struct Verdict {
     std::size_t better = 0, worse = 0;  ///< indices
     double seconds = 0;
     double ratio = 1;            ///< relMSE of worse / better, at least 1: how many times longer the worse one needs for the same error, if errors fall with the root of time
-    double low = 0, high = 0;    ///< interval of the ratio that holds with 95 % for all pairs of that time together; high 0: unknown
+    double low = 0, high = 0;    ///< interval of the ratio that holds with 95 % for all pairs asked about at that time together; high 0: unknown
     bool significant = false;    ///< the interval leaves 1 out
 };
 
 struct Judgement {
     std::vector<Summary> summaries;  ///< one per measurement
-    std::vector<Verdict> verdicts;   ///< all pairs at every wanted time where both have an error
+    std::vector<Verdict> verdicts;   ///< of the pairs asked about, at every wanted time where both have an error
 };
 
-/// Every measurement has the same positive number of runs. With one run each nothing is ever significant; nor is what lies at the reference's own noise.
-Judgement judge(const std::vector<Measurement>& measurements, const Reference& reference, const std::vector<double>& times);
+/// Every two of so many.
+std::vector<std::pair<std::size_t, std::size_t>> all_pairs(std::size_t candidates);
+
+/// `pairs`: indices of measurements that are to be told apart. Every measurement has the same positive number of runs. With one run each nothing is ever significant; nor is what lies at the reference's own noise.
+Judgement judge(const std::vector<Measurement>& measurements, const Reference& reference, const std::vector<double>& times, const std::vector<std::pair<std::size_t, std::size_t>>& pairs);
 
 /// "path has 3.1 (2.2 to 4.4) times the relMSE of vrl at 6 s", or that the bars do not tell them apart.
 std::string sentence(const Verdict& verdict, const std::vector<Measurement>& measurements);

@@ -20,14 +20,15 @@ std::string build_options(const PairProgram& program)
     return "-cl-std=CL1.2 -DLANES=" + std::to_string(program.lanes) + " -DFEATURES=" + std::to_string(program.features) + "u -DSAMPLER=" + std::to_string(program.sampler) +
            " -DSEQUENCE=" + std::to_string(program.sequence) + (program.selection ? " -DSELECTION=1" : "") +
            (program.features & feature_bit::heterogeneous ? " -DTRANSMITTANCE=" + std::to_string(program.transmittance) : "") +
-           (program.clamp > 0 ? clamp_option(program.clamp) : "");
+           (program.clamp > 0 ? clamp_option(program.clamp) : "") + (program.precision == 64 ? " -DPRECISION=64" : "") +
+           (program.fast_math ? " -cl-unsafe-math-optimizations -cl-denorms-are-zero" : "");  // --math fast: infinities and NaN keep their meaning, so the ledger counts them
 }
 
 /// Estimates ask neither for samplers nor for what stands between: fewer programs serve more scenes.
 static KernelBuild estimate_build(PairProgram program)
 {
     program.features &= ~(feature_bit::occluders | feature_bit::boundaries | feature_bit::nonconvex_media);
-    program.sampler = program.sequence = program.transmittance = 0, program.selection = false, program.clamp = 0;
+    program.sampler = program.sequence = program.transmittance = 0, program.selection = false, program.clamp = 0, program.precision = 32, program.fast_math = false;
     return {"estimate_lights", build_options(program), program.features};
 }
 
@@ -37,7 +38,7 @@ std::vector<KernelBuild> kernel_builds(const PairProgram& program)
     std::vector<KernelBuild> builds;
     if (program.features & feature_bit::heterogeneous && program.light_is_line) builds.push_back({"tabulate_lights", own, program.features});
     if (program.features & feature_bit::heterogeneous && program.eyes == EyeKind::segments) builds.push_back({"tabulate_eyes", own, program.features});
-    if (program.features & feature_bit::occluders) builds.insert(builds.end(), {{"sample_pairs", own, program.features}, {"accumulate_pairs", build_options({.lanes = program.lanes, .clamp = program.clamp}), 0}});
+    if (program.features & feature_bit::occluders) builds.insert(builds.end(), {{"sample_pairs", own, program.features}, {"accumulate_pairs", build_options({.lanes = program.lanes, .clamp = program.clamp, .precision = program.precision}), 0}});
     else builds.push_back({"gather_lights", own, program.features});
     if (program.selection) builds.insert(builds.end(), {estimate_build(program), {"weigh_lights", build_options({.lanes = program.lanes}), 0}, {"pool_shares", build_options({.lanes = program.lanes}), 0}, {"select_lights", build_options({.lanes = program.lanes}), 0}});
     return builds;

@@ -32,6 +32,8 @@ struct PairProgram {
     bool selection = false;                   ///< eyes connect to the lights that were chosen for them
     int transmittance = 0;                    ///< kernels/shared/transmittance_modes.h; means something with HETEROGENEOUS only
     float clamp = 0;                          ///< kernels/shared/clamp.h: bound of 1 / w^2; 0: none
+    int precision = 32;                       ///< bits of the numbers that pairs are evaluated with, 32 or 64
+    bool fast_math = false;                   ///< the compiler may reorder and approximate
 
     /// Per eye: of what arrives and, with a clamp, of what it took away.
     std::uint32_t sums_of_eye() const { return clamp > 0 ? 2 : 1; }

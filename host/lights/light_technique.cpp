@@ -24,6 +24,12 @@ bool is_clamped(Method method)
     return technique && technique->method != method.name();
 }
 
+bool is_thick(Method method)
+{
+    const LightTechnique* technique = technique_of(method);
+    return technique && technique->is_thick;
+}
+
 std::vector<Method> all_methods()
 {
     std::vector<Method> methods{Method::vrl};

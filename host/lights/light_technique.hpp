@@ -47,6 +47,9 @@ const LightTechnique* technique_of(Method method);
 /// Does the method bound the connections of its lights?
 bool is_clamped(Method method);
 
+/// Do its lights have a radius?
+bool is_thick(Method method);
+
 inline bool uses_virtual_lights(Method method) { return technique_of(method) != nullptr; }
 
 /// Every value of --method: the default first, path tracing last.

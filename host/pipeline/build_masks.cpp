@@ -38,6 +38,12 @@ std::string grid_transmittance(const RenderSettings& settings, const LayerPlan& 
     return "march: tables and a jittered march, with an exact correction for one pair in 64; unbiased, and a pass can hold negative values";
 }
 
+std::string doubt_about_math(const RenderSettings& settings)
+{
+    if (settings.math == KernelMath::strict) return {};
+    return "--math fast: compilers may reorder and approximate what was proved to be stable, and the selftest does not cover it; compare the image with one of --math strict";
+}
+
 PairProgram pair_program(const LayerPlan& plan, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes)
 {
     const std::uint32_t features = kind == EyeKind::segments ? masks.media_to_media : masks.media_to_surface;
@@ -55,7 +61,9 @@ PairProgram pair_program(const LayerPlan& plan, const RenderSettings& settings, 
             .samples = static_cast<std::uint32_t>(settings.samples_per_pair),
             .selection = plan.selection.chosen,
             .transmittance = settings.transmittance == GridTransmittance::exact ? TRANSMITTANCE_EXACT : TRANSMITTANCE_MARCH,
-            .clamp = static_cast<float>(plan.clamp)};
+            .clamp = static_cast<float>(plan.clamp),
+            .precision = settings.precision == Precision::f64 ? 64 : 32,
+            .fast_math = settings.math == KernelMath::fast};
 }
 
 std::uint32_t case_families(const LayerPlan& plan, const RenderSettings& settings, const BuildMasks& masks)

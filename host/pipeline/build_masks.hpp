@@ -19,6 +19,9 @@ BuildMasks build_masks(const SceneFeatures& features, const LayerPlan& plan, con
 /// How transmittance through density grids is found, as a sentence for the report; empty if no kernel asks.
 std::string grid_transmittance(const RenderSettings& settings, const LayerPlan& plan, const BuildMasks& masks);
 
+/// What to know about kernels that are not strict, as a sentence for report and explain; empty if they are.
+std::string doubt_about_math(const RenderSettings& settings);
+
 /// The program for the connections of one kind of eye.
 PairProgram pair_program(const LayerPlan& plan, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes);
 

@@ -14,12 +14,6 @@ void require(bool holds, const std::string& sentence)
     if (!holds) throw UsageError(sentence);
 }
 
-bool is_thick(Method method)
-{
-    const LightTechnique* technique = technique_of(method);
-    return technique && technique->is_thick;
-}
-
 /// "a or b": the methods of which it is true.
 std::string methods_that(bool (*holds)(Method))
 {

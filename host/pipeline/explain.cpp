@@ -36,6 +36,7 @@ void add_warnings(const Scene& scene, const RenderSettings& settings, Explanatio
     e.warnings = scene.warnings;
     const auto add = [&](const std::vector<std::string>& more) { e.warnings.insert(e.warnings.end(), more.begin(), more.end()); };
     add(uncarried_light(scene));
+    if (const auto doubt = doubt_about_math(settings); !doubt.empty()) add({doubt});
     add(doubts_about(scene, settings, Visibility(scene, settings.threads)));
 }
 

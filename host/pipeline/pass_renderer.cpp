@@ -64,7 +64,11 @@ void PassRenderer::prepare_lights()
     if (settings_.opencl) devices_.emplace_back(*settings_.opencl);
     else
         for (const DeviceInfo& info : choose_devices(settings_.device)) devices_.emplace_back(std::to_string(info.index));
-    for (Device& device : devices_) device.bound_launches(settings_.launch_seconds);
+    for (Device& device : devices_) {
+        device.bound_launches(settings_.launch_seconds);
+        if (settings_.precision == Precision::f64 && !device.info().fp64)
+            throw NoDeviceError("\"" + device.info().name + "\" has no 64-bit numbers (cl_khr_fp64), which --precision f64 needs; name another device, or leave it at f32");
+    }
     const auto start = std::chrono::steady_clock::now();
     const auto build = [&](bool wanted, EyeKind kind) { return wanted ? make_connector(kind) : nullptr; };
     auto selftest = std::async(std::launch::async, [&] { return check_devices(); });
@@ -201,6 +205,7 @@ void PassRenderer::add_devices(Report& report) const
 {
     report.programs = programs_built(), report.wall_clock = std::any_of(devices_.begin(), devices_.end(), [](const Device& d) { return !d.time_stamps(); });
     report.selftest = selftest_;
+    if (const auto doubt = doubt_about_math(settings_); plan_.virtual_lights() && !doubt.empty()) report.warnings.push_back(doubt);
     if (selftest_ && !selftest_->warning.empty()) report.warnings.push_back(selftest_->warning);
     for (const Device& d : devices_) {
         report.device += (report.device.empty() ? "" : "; ") + d.info().platform + ": " + d.info().name;

@@ -30,7 +30,7 @@ std::string text_of(const SelectionPlan& plan)
 std::vector<StateSetting> PassRenderer::settings() const
 {
     // Every setting has a name here, so that one which is added does not compile before it is decided whether bytes depend on it. Those that are left to a rule stand in the plan.
-    [[maybe_unused]] const auto& [method, layers, path_layers, passes, seconds, target_error, lights, seed, threads, max_depth, light_segments, segment_length, sampler, sequence, emission, transmittance, features,
+    [[maybe_unused]] const auto& [method, layers, path_layers, passes, seconds, target_error, lights, seed, threads, max_depth, light_segments, segment_length, sampler, sequence, emission, transmittance, precision, math, features,
                  device, opencl, lanes, lanes_calibrated, tile_pairs, launch_seconds, samples, selection, selected_lights, selection_block, candidates, defence, camera_samples, skip_thin, clamp, beam_radius, block_passes, selftest, stop] = settings_;
     const Camera& camera = scene_.camera;
     std::vector<StateSetting> all{
@@ -56,6 +56,8 @@ std::vector<StateSetting> PassRenderer::settings() const
         {"sequence", std::string(name_in(sequence_names, sequence))},
         {"emission", std::string(name_in(sequence_names, emission))},
         {"transmittance", std::string(name_in(transmittance_names, transmittance))},
+        {"precision", std::string(name_in(precision_names, precision))},
+        {"math", std::string(name_in(math_names, math))},
         {"features", fmt::format("{:x} {:x}", masks_.media_to_media, masks_.media_to_surface)},
     });
     add_device_settings(all);

@@ -122,7 +122,7 @@ TEST(PlantedViolation, ApproximateArithmeticIsFound)
 {
     const TemporaryFolder tree;
     tree.write("kernels/math/rod.h", "real a = exp(b);\nreal c = native_exp(b);\n");
-    tree.write("host/device/build.cpp", "const char* options = \"-cl-std=CL1.2 -cl-fast-relaxed-math\";\n");
+    tree.write("host/device/build.cpp", "const char* options = \"-cl-std=CL1.2 -cl-fast-relaxed-math\";\nconst char* asked_for = \" -cl-mad-enable\";  // --math fast\n");
     tree.write("host/cmake/flags.cmake", "target_compile_options(a PRIVATE -ffp-contract=off)\ntarget_compile_options(a PRIVATE -ffast-math)\n");
     EXPECT_THAT(approximate_arithmetic(tree.path()),
                 UnorderedElementsAre(StartsWith("kernels/math/rod.h:2: native_exp"), StartsWith("host/device/build.cpp:1: -cl-fast"),

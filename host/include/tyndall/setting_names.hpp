@@ -24,6 +24,8 @@ inline constexpr std::array sequence_names{Named<Sequence>{"auto", Sequence::aut
 inline constexpr std::array transmittance_names{Named<GridTransmittance>{"march", GridTransmittance::march}, Named<GridTransmittance>{"exact", GridTransmittance::exact}};
 inline constexpr std::array selection_names{Named<Selection>{"auto", Selection::automatic}, Named<Selection>{"all", Selection::all}, Named<Selection>{"tile", Selection::tile}};
 inline constexpr std::array segment_length_names{Named<SegmentLength>{"long", SegmentLength::long_}, Named<SegmentLength>{"short", SegmentLength::short_}};
+inline constexpr std::array precision_names{Named<Precision>{"f32", Precision::f32}, Named<Precision>{"f64", Precision::f64}};
+inline constexpr std::array math_names{Named<KernelMath>{"strict", KernelMath::strict}, Named<KernelMath>{"fast", KernelMath::fast}};
 
 /// The name that stands beside `value`; every enumerator has one.
 template <class Value, std::size_t count>

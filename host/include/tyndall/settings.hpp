@@ -55,6 +55,12 @@ enum class GridTransmittance {
     exact,  ///< cell by cell for every pair
 };
 
+/// Of what the kernels that evaluate pairs compute with; records, sums and what lights are chosen by stay 32-bit.
+enum class Precision { f32, f64 };
+
+/// How compilers may treat the same kernels. fast: terms in another order, reciprocals for divisions, denormal numbers as 0; the selftest does not cover it.
+enum class KernelMath { strict, fast };
+
 /// Which virtual lights of a pass an eye is connected to. Both are unbiased.
 enum class Selection {
     automatic,  ///< the one that wins at equal time (host/docs/performance.md)
@@ -85,6 +91,8 @@ struct RenderSettings {
     Sequence sequence = Sequence::automatic;
     Sequence emission = Sequence::automatic;  ///< of light paths; automatic: sobol
     GridTransmittance transmittance = GridTransmittance::march;
+    Precision precision = Precision::f32;
+    KernelMath math = KernelMath::strict;
     std::optional<std::uint32_t> features;  ///< mask of kernels/shared/scene_features.h for all kernels; none: what the scene calls for
     std::string device;                ///< index, substring of the name, or platform:device; several with commas, or "all"; empty: the default device
     std::optional<OpenClHandles> opencl;  ///< the caller's context and device, in place of those that `device` names

@@ -1,18 +1,20 @@
 // Error against time, both logarithmic, with error bars and a reading line.
 "use strict";
+
+/** Powers of ten, and 2 and 5 times them where they are few. */
+function logarithmicTicks(low, high) {
+  const steps = Math.log10(high / low) > 3 ? [1] : Math.log10(high / low) > 1.6 ? [1, 3] : [1, 2, 5], found = [];
+  for (let e = Math.floor(Math.log10(low)) - 1; e <= Math.log10(high); ++e) for (const s of steps) if (s * 10 ** e >= low && s * 10 ** e <= high) found.push(s * 10 ** e);
+  return found;
+}
+
 function makeChart(holder, legend, live) {
-  const shown = data.candidates.map(() => true);
+  const turned = new Set((data.dials ?? []).slice(1).flatMap((sweep) => sweep.others));  // values of dials have charts of their own; the legend shows them here too
+  const shown = data.candidates.map((_, i) => !turned.has(i));
   const curves = data.candidates.map((candidate) => candidate.curve.filter((p) => p.relative_mse && p.relative_mse.median > 0));
   const grid = [...new Set(curves.flat().map((p) => p.seconds))].sort((a, b) => a - b);
   const floor = errorOf(data.reference.relative_mse);
   let reading = null, frame = null;
-
-  /** Powers of ten, and 2 and 5 times them where they are few. */
-  function ticks(low, high) {
-    const steps = Math.log10(high / low) > 3 ? [1] : Math.log10(high / low) > 1.6 ? [1, 3] : [1, 2, 5], found = [];
-    for (let e = Math.floor(Math.log10(low)) - 1; e <= Math.log10(high); ++e) for (const s of steps) if (s * 10 ** e >= low && s * 10 ** e <= high) found.push(s * 10 ** e);
-    return found;
-  }
 
   function limits() {
     const errors = curves.flat().flatMap((p) => [errorOf(p.relative_mse.low), errorOf(p.relative_mse.high)]).filter((e) => e > 0);
@@ -37,10 +39,10 @@ function makeChart(holder, legend, live) {
     const y = (e) => margin.top + Math.log(range.e[1] / e) / Math.log(range.e[1] / range.e[0]) * (height - margin.top - margin.bottom);
     frame = {x, y, width, height, margin, range};
     const svg = el("svg", {viewBox: `0 0 ${width} ${height}`, role: "img", tabindex: 0, "aria-label": "Error against time for " + data.candidates.map((c) => c.name).join(", ")});
-    for (const t of ticks(...range.t)) {
+    for (const t of logarithmicTicks(...range.t)) {
       svg.append(el("line", {class: "grid", x1: x(t), x2: x(t), y1: margin.top, y2: height - margin.bottom}), el("text", {x: x(t), y: height - margin.bottom + 17, "text-anchor": "middle"}, short(t)));
     }
-    for (const e of ticks(...range.e)) {
+    for (const e of logarithmicTicks(...range.e)) {
       svg.append(el("line", {class: "grid", x1: margin.left, x2: width - margin.right, y1: y(e), y2: y(e)}), el("text", {x: margin.left - 7, y: y(e) + 4, "text-anchor": "end"}, short(e) + " %"));
     }
     svg.append(el("line", {class: "axis", x1: margin.left, x2: width - margin.right, y1: height - margin.bottom, y2: height - margin.bottom}));
@@ -126,7 +128,7 @@ function makeChart(holder, legend, live) {
 
   data.candidates.forEach((candidate, i) => {
     const sample = el("svg", {width: 30, height: 14}, el("path", {d: "M0,7H30", stroke: colour(i), "stroke-width": 2, "stroke-dasharray": dash(i)}), el("path", {d: mark(i, 4), fill: colour(i), transform: "translate(15 7)"}));
-    legend.append(el("button", {type: "button", "aria-pressed": "true", onclick: (event) => {
+    legend.append(el("button", {type: "button", "aria-pressed": String(shown[i]), onclick: (event) => {
       shown[i] = !shown[i];
       event.currentTarget.setAttribute("aria-pressed", shown[i]);
       draw();

@@ -35,6 +35,7 @@ function bestAt(t) {
   const known = data.candidates.map((c, i) => ({i, at: c.at_times[t]})).filter((k) => k.at.relative_mse);
   if (!known.length) return {best: -1, ties: []};
   const best = known.reduce((a, b) => b.at.relative_mse.median < a.at.relative_mse.median ? b : a).i;
+  if (data.dials) return {best, ties: known.map((k) => k.i).filter((i) => i !== best)};  // only pairs with the usual value were asked about
   const unsure = data.verdicts.filter((v) => v.seconds === data.times[t] && !v.significant);
   return {best, ties: known.map((k) => k.i).filter((i) => i !== best && unsure.some((v) => [v.better, v.worse].includes(i) && [v.better, v.worse].includes(best)))};
 }
@@ -45,7 +46,7 @@ function equalTable(holder) {
     return {head: `error at ${seconds(time)}`, value: (c) => c.at_times[t].relative_mse?.median, cell: (c) => {
       const at = c.at_times[t], i = data.candidates.indexOf(c), alone = i === best && !ties.length && data.candidates.length > 1;
       if (!at.relative_mse) return el("td", {}, "no pass yet");
-      const chip = alone ? el("span", {class: "chip"}, "lowest") : i === best || ties.includes(i) ? (data.candidates.length > 1 ? el("span", {class: "chip plain", title: "not told apart from the lowest"}, "≈ lowest") : null) : null;
+      const chip = data.dials ? null : alone ? el("span", {class: "chip"}, "lowest") : i === best || ties.includes(i) ? (data.candidates.length > 1 ? el("span", {class: "chip plain", title: "not told apart from the lowest"}, "≈ lowest") : null) : null;
       return el("td", {class: alone ? "best" : ""}, (at.at_most ? "< " : "") + percent(at.relative_mse.median), chip, el("small", {}, `${percent(at.relative_mse.low)} to ${percent(at.relative_mse.high)}`));
     }};
   });

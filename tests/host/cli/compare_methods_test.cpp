@@ -62,6 +62,22 @@ TEST_F(CompareMethods, TakesItsOwnReferenceAgain)
     EXPECT_FALSE(json.at("candidates").at(0).at("layers").empty());
 }
 
+TEST_F(CompareMethods, DialsAreOfMethodsThatHaveThem)
+{
+    const auto two = run({"compare", "scene.xml", "--dials", "--methods", "vrl,path", "-o", "page"});
+    EXPECT_EQ(two.exit_code, 2);
+    EXPECT_THAT(two.err, HasSubstr("every dial of one method"));
+    const auto path = run({"compare", "scene.xml", "--dials", "--methods", "path", "-o", "page"});
+    EXPECT_EQ(path.exit_code, 2);
+    EXPECT_THAT(path.err, HasSubstr("\"path\" has none"));
+    const auto precision = run({"compare", "scene.xml", "--precisions", "f16", "-o", "page"});
+    EXPECT_EQ(precision.exit_code, 2);
+    EXPECT_THAT(precision.err, HasSubstr("f64"));
+    EXPECT_EQ(run({"compare", "scene.xml", "--clamps", "0", "-o", "page"}).exit_code, 2);
+    EXPECT_EQ(run({"compare", "scene.xml", "--beam-radii", "2", "-o", "page"}).exit_code, 2);
+    EXPECT_FALSE(std::filesystem::exists(folder / "page"));
+}
+
 TEST_F(CompareMethods, OneLayerIsComparedAlone)
 {
     const auto result = run(compare({"-o", "page", "--layer", "single", "--json"}));

@@ -32,7 +32,7 @@ Compared compare(const std::vector<SyntheticMethod>& methods, double reference_s
     for (std::uint32_t i = 1; i < methods.size(); ++i) candidates.push_back(candidate("method " + std::to_string(i), i));
     const MeasuringHooks hooks{[] { return false; }, [](const std::string&) {}, [] { return 0.; }};
     result.measurements = measure(candidates, result.reference, {times, repeats, seed, true}, render, hooks);
-    result.judgement = judge(result.measurements, result.reference, times);
+    result.judgement = judge(result.measurements, result.reference, times, all_pairs(result.measurements.size()));
     return result;
 }
 

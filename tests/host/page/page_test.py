@@ -83,6 +83,20 @@ class Page(unittest.TestCase):
             heights = [float(p.split(",")[1]) for p in path[1:].split("L")]
             self.assertGreater(heights[-1], heights[0], f"{name}: the error falls")
 
+    def test_every_dial_has_its_curves_and_its_price(self):
+        self.assertTrue(self.browser.run("return document.querySelector('#dials-section').hidden;"), "a comparison of all with all has none")
+        self.browser.open(self.file.replace("index.html", "dials.html"))
+        self.browser.wait_for("document.querySelector('#split').dataset.ready")
+        curves = self.browser.run("return [...document.querySelectorAll('#dials .dial')].map((d) => [...d.querySelectorAll('g[data-curve]')].map((g) => [g.dataset.curve, g.querySelector('.curve').getAttribute('d')]));")
+        self.assertEqual([[name for name, _ in dial] for dial in curves], [["plain", "biased", "slow start"], ["plain", "stray value"]])
+        for _, path in sum(curves, []):
+            self.assertNotIn("NaN", path)
+            self.assertGreater(path.count("L"), 1)
+        rows = self.browser.run("return [...document.querySelectorAll('#dials-table tbody tr')].map((r) => r.innerText);")
+        self.assertEqual([[word for word in ("costs", "saves", "not told apart", "biased") if word in row] for row in rows], [["costs", "biased"], ["costs"], ["costs"]], rows)
+        self.assertEqual(len(self.browser.run("return [...document.querySelectorAll('#chart g[data-curve]')];")), 3, "values of later dials start hidden")
+        self.browser.open(self.file)
+
     def test_hover_reads_values(self):
         x, y, width, height = self.browser.box("#chart svg")
         last = self.browser.run("return Math.max(...[...document.querySelectorAll('#chart .wanted')].map((l) => l.getBoundingClientRect().x));")

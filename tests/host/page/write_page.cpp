@@ -21,12 +21,15 @@ void write(const std::filesystem::path& folder)
     const std::vector<Candidate> candidates{candidate("plain", 1), candidate("biased", 2), candidate("slow start", 3), candidate("stray value", 4)};
     const MeasuringHooks hooks{[] { return false; }, [](const std::string&) {}, [] { return 0.; }};
     const auto measurements = measure(candidates, made.reference, plan, render, hooks);
-    const Judgement judgement = judge(measurements, made.reference, times);
+    const Judgement judgement = judge(measurements, made.reference, times, all_pairs(measurements.size()));
     const ComparisonAbout about{.version = "test", .scene_file = "a/scene.xml", .layer = "image", .warnings = {"</script><b>a warning that looks like markup</b>"}, .command = "tyndall compare a/scene.xml",
                                 .render_commands = std::vector<std::string>(candidates.size(), "tyndall render a/scene.xml")};
-    const Comparison comparison{about, made.reference, plan, measurements, judgement};
+    const std::vector<DialSweep> sweeps{{"noise", "plain", 0, {1, 2}}, {"luck", "plain", 0, {3}}};
+    const Comparison comparison{about, made.reference, plan, measurements, judgement, {}};
     write_atomically(folder / "comparison.json", to_json(comparison));
     write_atomically(folder / "index.html", comparison_page(to_page_data(comparison)));
+    const Judgement of_dials = judge(measurements, made.reference, times, pairs_of(sweeps));
+    write_atomically(folder / "dials.html", comparison_page(to_page_data({about, made.reference, plan, measurements, of_dials, sweeps})));
 }
 
 }  // namespace

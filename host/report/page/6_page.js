@@ -6,6 +6,7 @@ const byId = (id) => document.getElementById(id);
 function answer() {
   const last = data.times.length - 1, {best, ties} = bestAt(last);
   if (best < 0) return "No method finished a pass in the longest time.";
+  if (data.dials) return `What every dial is worth around ${data.candidates[0].name}, whose error after ${seconds(data.times[last])} is ${percent(data.candidates[0].at_times[last].relative_mse?.median)}.`;
   const name = data.candidates[best].name, at = data.candidates[best].at_times[last], error = (at.at_most ? "less than " : "") + percent(at.relative_mse.median), time = seconds(data.times[last]);
   if (data.candidates.length === 1) return `After ${time}, ${name} has an error of ${error}.`;
   if (ties.length) return `After ${time}, ${name} has the lowest median error, ${error}, but the error bars do not tell it apart from ${ties.map((i) => data.candidates[i].name).join(", ")}.`;
@@ -42,6 +43,7 @@ byId("answer").textContent = answer();
 makeChart(byId("chart"), byId("legend"), byId("live"));
 equalTable(byId("equal"));
 verdicts();
+everyDial(byId("dials-section"), byId("dials"), byId("dials-table"));
 numbersTable(byId("numbers"));
 layersTable(byId("layers-section"), byId("layers"));
 stageBars(byId("stages"));
