@@ -45,13 +45,6 @@ int add_grid(const api::Grid& grid, const Place& place, Scene& scene)
     return static_cast<int>(scene.volumes.size()) - 1;
 }
 
-void add_medium(const api::Medium& from, const Place& place, Scene& scene)
-{
-    Medium medium{.name = from.name, .sigma_t = place.colour("sigma_t", from.sigma_t, 1e300), .albedo = place.colour("albedo", from.albedo, 1), .phase = phase_of(from.phase, place)};
-    if (from.density) medium.density = add_grid(*from.density, place, scene);
-    scene.media.push_back(std::move(medium));
-}
-
 Bsdf::Type type_of(api::Bsdf::Type type)
 {
     using From = api::Bsdf::Type;
@@ -161,6 +154,13 @@ void warn(Scene& scene)
 }
 
 }  // namespace
+
+void add_medium(const api::Medium& from, const Place& place, Scene& scene)
+{
+    Medium medium{.name = from.name, .sigma_t = place.colour("sigma_t", from.sigma_t, 1e300), .albedo = place.colour("albedo", from.albedo, 1), .phase = phase_of(from.phase, place)};
+    if (from.density) medium.density = add_grid(*from.density, place, scene);
+    scene.media.push_back(std::move(medium));
+}
 
 Scene scene_from(const api::SceneDescription& from)
 {

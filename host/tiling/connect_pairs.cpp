@@ -32,18 +32,17 @@ std::vector<PairTile> tiles_of(std::uint32_t groups, std::uint32_t lights, std::
     return tiles;
 }
 
-/// Multiplies the contributions of one packet by the transmittance of their connections, through null boundaries.
-std::uint64_t walk_packet(const Visibility& visibility, const ShadowPacket& packet, std::span<const int> media, std::span<float> contributions, std::size_t lanes,
-                          std::size_t first, std::size_t group_stride, std::size_t channels)
+/// Multiplies the contributions of packet `p` by the transmittance of their connections, through null boundaries.
+std::uint64_t walk_packet(const Visibility& visibility, const SampledTile& sampled, const PairTile& tile, const ConnectSettings& settings, std::size_t p, std::span<const int> media)
 {
     std::uint64_t asked = 0;
+    const ShadowPacket& packet = sampled.packets[p];
     for (std::size_t i = 0; i < SHADOW_PACKET_SIZE; ++i) {
         if (packet.tfar[i] < packet.tnear[i]) continue;
         ++asked;
         const Vec3 from{packet.origin_x[i], packet.origin_y[i], packet.origin_z[i]};
         const Vec3 to = from + Vec3{packet.direction_x[i], packet.direction_y[i], packet.direction_z[i]};
-        const Rgb through = visibility.transmittance(from, media[i], to);
-        for (std::size_t c = 0; c < channels; ++c) contributions[first + i / lanes * group_stride + c * lanes + i % lanes] *= static_cast<float>(through[static_cast<int>(c % 3)]);
+        scale_contribution(sampled, tile, settings, p, i, visibility.transmittance(from, media[i], to));
     }
     return asked;
 }
@@ -51,13 +50,12 @@ std::uint64_t walk_packet(const Visibility& visibility, const ShadowPacket& pack
 /// Answers a tile's shadow segments; returns how many were asked.
 std::uint64_t answer(const Visibility& visibility, const SampledTile& sampled, const PairTile& tile, const EyeBatch& eyes, const ConnectSettings& settings)
 {
-    const std::size_t lanes = static_cast<std::size_t>(settings.lanes), pairs = std::size_t(tile.lights) * settings.samples, channels = 3 * settings.sums_of_eye;
+    const std::size_t lanes = static_cast<std::size_t>(settings.lanes), pairs = std::size_t(tile.lights) * settings.samples;
     std::atomic<std::uint64_t> asked{0};
     if (settings.features & feature_bit::nonconvex_media) {
         tbb::parallel_for(std::size_t(0), sampled.packets.size(), [&](std::size_t p) {
-            const std::size_t row = p / pairs, pair = p % pairs, group = row * SHADOW_PACKET_SIZE / lanes;
-            const std::span<const int> media(eyes.media.data() + std::size_t(tile.first_group) * lanes + row * SHADOW_PACKET_SIZE, SHADOW_PACKET_SIZE);
-            asked += walk_packet(visibility, sampled.packets[p], media, sampled.contributions, lanes, (group * pairs + pair) * channels * lanes, pairs * channels * lanes, channels);
+            const std::span<const int> media(eyes.media.data() + std::size_t(tile.first_group) * lanes + p / pairs * SHADOW_PACKET_SIZE, SHADOW_PACKET_SIZE);
+            asked += walk_packet(visibility, sampled, tile, settings, p, media);
         });
         return asked;
     }
@@ -69,8 +67,22 @@ std::uint64_t answer(const Visibility& visibility, const SampledTile& sampled, c
 
 }  // namespace
 
+void scale_contribution(const SampledTile& sampled, const PairTile& tile, const ConnectSettings& settings, std::size_t p, std::size_t i, const Rgb& factor)
+{
+    const std::size_t lanes = static_cast<std::size_t>(settings.lanes), pairs = std::size_t(tile.lights) * settings.samples, channels = 3 * settings.sums_of_eye;
+    const std::size_t group = p / pairs * SHADOW_PACKET_SIZE / lanes + i / lanes, first = (group * pairs + p % pairs) * channels * lanes + i % lanes;
+    for (std::size_t c = 0; c < channels; ++c) sampled.contributions[first + c * lanes] *= static_cast<float>(factor[static_cast<int>(c % 3)]);
+}
+
 std::vector<double> connect_pairs(PairStage& stage, const Visibility& visibility, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings,
                                   ConnectCounts& counts, const LightSelection* selection)
+{
+    const ShadowAnswer by_embree = [&](const SampledTile& sampled, const PairTile& tile) { return answer(visibility, sampled, tile, eyes, settings); };
+    return connect_pairs(stage, by_embree, eyes, lights, settings, counts, selection);
+}
+
+std::vector<double> connect_pairs(PairStage& stage, const ShadowAnswer& shadows, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings, ConnectCounts& counts,
+                                  const LightSelection* selection)
 {
     stage.begin(eyes.records, eyes.count, lights.records, settings.vertex_limit, lights.weights);
     if (selection) stage.select(*selection);
@@ -90,7 +102,7 @@ std::vector<double> connect_pairs(PairStage& stage, const Visibility& visibility
         if (i + 1 < tiles.size()) stage.sample(1 - slot, tiles[i + 1]);
         const SampledTile sampled = stage.sampled(slot);
         const auto start = std::chrono::steady_clock::now();
-        counts.shadow_segments += answer(visibility, sampled, tiles[i], eyes, settings);
+        counts.shadow_segments += shadows(sampled, tiles[i]);
         counts.visibility_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         stage.accumulate(slot);
     }

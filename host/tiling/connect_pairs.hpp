@@ -3,6 +3,7 @@
 /// the device samples the next.
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -43,8 +44,18 @@ struct ConnectCounts {
     double visibility_seconds = 0;
 };
 
+/// Answers a tile's shadow segments, in its packets (tfar -infinity: blocked) or by multiplying its contributions; returns how many were asked.
+using ShadowAnswer = std::function<std::uint64_t(const SampledTile&, const PairTile&)>;
+
+/// Multiplies the contribution of lane `i` of packet `p` by `factor` per channel; all channels of an eye with a clamp.
+void scale_contribution(const SampledTile& sampled, const PairTile& tile, const ConnectSettings& settings, std::size_t p, std::size_t i, const Rgb& factor);
+
 /// Sum over all lights, or over those that `selection` has chosen, of what they send to each eye: r, g, b per eye, as PairStage::sums gives them. Byte-equal for every tile size.
 std::vector<double> connect_pairs(PairStage& stage, const Visibility& visibility, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings,
                                   ConnectCounts& counts, const LightSelection* selection = nullptr);
+
+/// The same with shadow segments that somebody else answers.
+std::vector<double> connect_pairs(PairStage& stage, const ShadowAnswer& answer, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings, ConnectCounts& counts,
+                                  const LightSelection* selection = nullptr);
 
 }  // namespace tyndall

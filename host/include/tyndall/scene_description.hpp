@@ -18,13 +18,13 @@ struct Phase {
     enum class Type { isotropic, henyey_greenstein, rayleigh, table };
     Type type = Type::isotropic;
     double g = 0;                ///< Henyey and Greenstein's mean cosine, in (-1, 1)
-    std::vector<double> values;  ///< table: two or more, >= 0 and not all 0, at equally spaced mu from -1 to 1; scaled to integrate to 1
+    std::vector<double> values{};  ///< table: two or more, >= 0 and not all 0, at equally spaced mu from -1 to 1; scaled to integrate to 1
 };
 
 /// Voxels of density in an upright box, outside of which there is nothing. Values are those at the centres of voxels, trilinear between them.
 struct Grid {
     std::array<int, 3> size{};  ///< voxels along x, y, z
-    std::vector<float> values;  ///< [z][y][x], finite and >= 0; size x * y * z of them
+    std::vector<float> values{};  ///< [z][y][x], finite and >= 0; size x * y * z of them
     Triple low{0, 0, 0}, high{1, 1, 1};  ///< corners of the box
 };
 
@@ -32,8 +32,8 @@ struct Medium {
     std::string name = "medium";  ///< for messages
     Triple sigma_t{1, 1, 1};      ///< extinction, >= 0; with a density: where the density is 1
     Triple albedo{.75, .75, .75}; ///< share of it that scatters, in [0, 1]
-    Phase phase;
-    std::optional<Grid> density;  ///< none: homogeneous
+    Phase phase{};
+    std::optional<Grid> density{};  ///< none: homogeneous
 };
 
 /// What a surface does with light.
@@ -53,12 +53,12 @@ struct Bsdf {
 /// Triangles, counter-clockwise seen from outside.
 struct Mesh {
     std::string name = "mesh";
-    std::vector<Triple> vertices;
-    std::vector<Triple> normals;       ///< of vertices, unit, or none: flat
-    std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<Triple> vertices{};
+    std::vector<Triple> normals{};       ///< of vertices, unit, or none: flat
+    std::vector<std::array<std::uint32_t, 3>> triangles{};
     int bsdf = 0;                      ///< index into SceneDescription::bsdfs
-    std::optional<int> interior, exterior;  ///< media inside and outside, by index, or vacuum; neither: the mesh bounds no medium
-    std::optional<Triple> radiance;    ///< it glows outwards, W/m2/sr
+    std::optional<int> interior{}, exterior{};  ///< media inside and outside, by index, or vacuum; neither: the mesh bounds no medium
+    std::optional<Triple> radiance{};    ///< it glows outwards, W/m2/sr
 };
 
 struct Emitter {
@@ -84,11 +84,11 @@ struct Camera {
 
 struct SceneDescription {
     std::string name = "scene built in memory";  ///< for messages and the report
-    std::vector<Medium> media;
-    std::vector<Bsdf> bsdfs;           ///< at least one if there is a mesh
-    std::vector<Mesh> meshes;
-    std::vector<Emitter> emitters;
-    Camera camera;
+    std::vector<Medium> media{};
+    std::vector<Bsdf> bsdfs{};           ///< at least one if there is a mesh
+    std::vector<Mesh> meshes{};
+    std::vector<Emitter> emitters{};
+    Camera camera{};
     int max_depth = -1;                ///< paths have at most max_depth - 1 scattering vertices; -1: no limit
 };
 

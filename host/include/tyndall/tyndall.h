@@ -140,6 +140,77 @@ TYNDALL_API const char* tyndall_image_report(const tyndall_image* image);
 /// Layered OpenEXR into a file *.exr, with .png and .json beside it.
 TYNDALL_API tyndall_status tyndall_image_write(const tyndall_image* image, const char* exr);
 
+/* The connections alone, for a renderer that traces by itself: tyndall/backend.hpp says what each record means. Layouts are the same. */
+
+typedef struct tyndall_ray_light {
+    float origin[3], length, direction[3];
+    uint32_t medium;
+    float flux[3];
+    uint32_t padding;
+} tyndall_ray_light;
+
+typedef struct tyndall_point_light {
+    float position[3];
+    uint32_t medium;
+    float direction[3];
+    uint32_t padding_0;
+    float power[3];
+    uint32_t padding_1;
+} tyndall_point_light;
+
+typedef struct tyndall_eye_segment {
+    float origin[3], length, direction[3];
+    uint32_t medium;
+    float throughput[3];
+    uint32_t padding;
+} tyndall_eye_segment;
+
+#define TYNDALL_NO_MEDIUM 0xffffffffu  ///< of an eye point in vacuum
+
+typedef struct tyndall_eye_point {
+    float position[3];
+    uint32_t medium;
+    float normal[3];
+    uint32_t padding_0;
+    float facing[3];
+    uint32_t padding_1;
+    float throughput[3];
+    uint32_t padding_2;
+} tyndall_eye_point;
+
+typedef struct tyndall_shadow_segment {
+    double from[3], to[3];
+    uint32_t medium, padding;
+} tyndall_shadow_segment;
+
+/// Writes 1 for every segment that something stands across, else 0. Anything but 0 as its result ends the call that asked, with TYNDALL_USAGE_ERROR.
+typedef int (*tyndall_occluded)(void* user, const tyndall_shadow_segment* segments, size_t count, uint8_t* blocked);
+
+typedef struct tyndall_backend tyndall_backend;
+
+/// Takes the media of a description (nothing else of it is looked at), and of the settings the device or the caller's OpenCL objects, lanes, no-selftest, max_bytes and the
+/// stop flag; NULL: none. low, high: a box that holds every light and eye. occluded NULL: nothing stands between.
+TYNDALL_API tyndall_status tyndall_backend_create(const tyndall_description* media, const tyndall_settings* settings, const double* low, const double* high, tyndall_occluded occluded,
+                                                  void* user, tyndall_backend** backend);
+TYNDALL_API void tyndall_backend_destroy(tyndall_backend* backend);
+
+/// How to estimate: a seed, independent rounds (variances take two), and lights per eye, 0: all.
+typedef struct tyndall_connect {
+    uint64_t seed;
+    int32_t rounds;
+    uint32_t lights_per_eye;
+} tyndall_connect;
+
+/// r, g, b per eye into radiance and, unless it is NULL, variance.
+TYNDALL_API tyndall_status tyndall_rays_to_segments(tyndall_backend* backend, const tyndall_ray_light* lights, size_t light_count, const tyndall_eye_segment* eyes, size_t eye_count,
+                                                    const tyndall_connect* how, float* radiance, float* variance);
+TYNDALL_API tyndall_status tyndall_rays_to_points(tyndall_backend* backend, const tyndall_ray_light* lights, size_t light_count, const tyndall_eye_point* eyes, size_t eye_count,
+                                                  const tyndall_connect* how, float* radiance, float* variance);
+TYNDALL_API tyndall_status tyndall_points_to_segments(tyndall_backend* backend, const tyndall_point_light* lights, size_t light_count, const tyndall_eye_segment* eyes, size_t eye_count,
+                                                      const tyndall_connect* how, float* radiance, float* variance);
+TYNDALL_API tyndall_status tyndall_points_to_points(tyndall_backend* backend, const tyndall_point_light* lights, size_t light_count, const tyndall_eye_point* eyes, size_t eye_count,
+                                                    const tyndall_connect* how, float* radiance, float* variance);
+
 /* Devices. */
 
 /// How many OpenCL devices there are.

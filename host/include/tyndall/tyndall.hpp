@@ -24,9 +24,9 @@ TYNDALL_API std::string version();
 
 struct DeviceDescription {
     int index = 0;               ///< what RenderSettings::device may say, beside parts of the names
-    std::string platform, name;
+    std::string platform{}, name{};
     bool usable = false;
-    std::string why_not;         ///< if not usable
+    std::string why_not{};         ///< if not usable
     std::uint64_t bytes = 0;     ///< of its memory
 };
 
@@ -34,7 +34,7 @@ struct DeviceDescription {
 TYNDALL_API std::vector<DeviceDescription> devices();
 
 struct LoadOptions {
-    std::map<std::string, std::string> definitions;  ///< values for the <default>s of the file
+    std::map<std::string, std::string> definitions{};  ///< values for the <default>s of the file
     bool allow_outside = false;                      ///< let the scene name files outside its own folder
 };
 
@@ -117,8 +117,8 @@ enum class LogLevel { info, warning };
 
 /// What a render may do beside rendering. Callbacks are called on the thread that called `render`, between passes; what they throw ends the render and leaves it.
 struct RenderOptions {
-    std::function<bool(const Progress&, const Preview&)> progress;  ///< after every pass; false ends the render with the passes so far
-    std::function<void(LogLevel, const std::string&)> log;          ///< sentences for people; without it nothing is printed anywhere
+    std::function<bool(const Progress&, const Preview&)> progress{};  ///< after every pass; false ends the render with the passes so far
+    std::function<void(LogLevel, const std::string&)> log{};          ///< sentences for people; without it nothing is printed anywhere
     std::uint64_t max_bytes = 0;  ///< refuse, with ResourceError and before any work, what is estimated to take more memory on host or device; 0: no bound
 };
 

@@ -1,0 +1,106 @@
+/// The C interface: the connections alone.
+#include <algorithm>
+#include <cstddef>
+
+#include "library/c_guard.hpp"
+#include "library/c_handles.hpp"
+#include "tyndall/backend.hpp"
+
+using namespace tyndall;
+
+struct tyndall_backend {
+    api::Backend backend;
+};
+
+namespace {
+
+// The records of both interfaces are one: their fields lie at the same places.
+static_assert(sizeof(tyndall_ray_light) == sizeof(api::RayLight) && offsetof(tyndall_ray_light, medium) == offsetof(api::RayLight, medium) &&
+              offsetof(tyndall_ray_light, flux) == offsetof(api::RayLight, flux));
+static_assert(sizeof(tyndall_point_light) == sizeof(api::PointLight) && offsetof(tyndall_point_light, direction) == offsetof(api::PointLight, direction) &&
+              offsetof(tyndall_point_light, power) == offsetof(api::PointLight, power));
+static_assert(sizeof(tyndall_eye_segment) == sizeof(api::EyeSegment) && offsetof(tyndall_eye_segment, direction) == offsetof(api::EyeSegment, direction) &&
+              offsetof(tyndall_eye_segment, throughput) == offsetof(api::EyeSegment, throughput));
+static_assert(sizeof(tyndall_eye_point) == sizeof(api::EyePoint) && offsetof(tyndall_eye_point, normal) == offsetof(api::EyePoint, normal) &&
+              offsetof(tyndall_eye_point, facing) == offsetof(api::EyePoint, facing) && offsetof(tyndall_eye_point, throughput) == offsetof(api::EyePoint, throughput));
+static_assert(sizeof(tyndall_shadow_segment) == sizeof(api::ShadowSegment) && offsetof(tyndall_shadow_segment, medium) == offsetof(api::ShadowSegment, medium));
+
+api::Triple corner(const double* p, const char* what)
+{
+    needed(p, what);
+    return {p[0], p[1], p[2]};
+}
+
+api::Occluded asking(tyndall_occluded occluded, void* user)
+{
+    if (!occluded) return {};
+    return [=](std::span<const api::ShadowSegment> segments, std::span<std::uint8_t> blocked) {
+        if (occluded(user, reinterpret_cast<const tyndall_shadow_segment*>(segments.data()), segments.size(), blocked.data()) != 0) throw UsageError("the caller's occluded ended the call");
+    };
+}
+
+template <typename Record, typename CRecord>
+std::span<const Record> records(const CRecord* from, std::size_t count, const char* what)
+{
+    if (count > 0) needed(from, what);
+    return {reinterpret_cast<const Record*>(from), count};
+}
+
+template <typename Light, typename Eye, typename CLight, typename CEye>
+tyndall_status connect(tyndall_backend* backend, const CLight* lights, std::size_t light_count, const CEye* eyes, std::size_t eye_count, const tyndall_connect* how, float* radiance, float* variance)
+{
+    return guarded([&] {
+        api::ConnectOptions options;
+        if (how) options = {.seed = how->seed, .rounds = how->rounds, .lights_per_eye = how->lights_per_eye};
+        if (eye_count > 0) needed(radiance, "the place for the radiance");
+        const api::Estimates estimates = needed(backend, "the backend").backend.connect(records<Light>(lights, light_count, "lights"), records<Eye>(eyes, eye_count, "eyes"), options);
+        std::copy(estimates.radiance.begin(), estimates.radiance.end(), radiance);
+        if (variance) std::copy(estimates.variance.begin(), estimates.variance.end(), variance);
+    });
+}
+
+}  // namespace
+
+extern "C" {
+
+tyndall_status tyndall_backend_create(const tyndall_description* media, const tyndall_settings* settings, const double* low, const double* high, tyndall_occluded occluded, void* user,
+                                      tyndall_backend** backend)
+{
+    return made(backend, [&] {
+        api::BackendDescription description{.media = needed(media, "the description").data.media, .low = corner(low, "low"), .high = corner(high, "high"), .occluded = asking(occluded, user)};
+        if (settings) {
+            const RenderSettings& s = settings->settings;
+            description.device = s.device, description.opencl = s.opencl, description.lanes = s.lanes, description.selftest = s.selftest, description.stop = s.stop;
+            description.max_bytes = settings->max_bytes;
+        }
+        return new tyndall_backend{api::Backend(std::move(description))};
+    });
+}
+
+void tyndall_backend_destroy(tyndall_backend* backend) { delete backend; }
+
+tyndall_status tyndall_rays_to_segments(tyndall_backend* backend, const tyndall_ray_light* lights, size_t light_count, const tyndall_eye_segment* eyes, size_t eye_count,
+                                        const tyndall_connect* how, float* radiance, float* variance)
+{
+    return connect<api::RayLight, api::EyeSegment>(backend, lights, light_count, eyes, eye_count, how, radiance, variance);
+}
+
+tyndall_status tyndall_rays_to_points(tyndall_backend* backend, const tyndall_ray_light* lights, size_t light_count, const tyndall_eye_point* eyes, size_t eye_count,
+                                      const tyndall_connect* how, float* radiance, float* variance)
+{
+    return connect<api::RayLight, api::EyePoint>(backend, lights, light_count, eyes, eye_count, how, radiance, variance);
+}
+
+tyndall_status tyndall_points_to_segments(tyndall_backend* backend, const tyndall_point_light* lights, size_t light_count, const tyndall_eye_segment* eyes, size_t eye_count,
+                                          const tyndall_connect* how, float* radiance, float* variance)
+{
+    return connect<api::PointLight, api::EyeSegment>(backend, lights, light_count, eyes, eye_count, how, radiance, variance);
+}
+
+tyndall_status tyndall_points_to_points(tyndall_backend* backend, const tyndall_point_light* lights, size_t light_count, const tyndall_eye_point* eyes, size_t eye_count,
+                                        const tyndall_connect* how, float* radiance, float* variance)
+{
+    return connect<api::PointLight, api::EyePoint>(backend, lights, light_count, eyes, eye_count, how, radiance, variance);
+}
+
+}  // extern "C"
