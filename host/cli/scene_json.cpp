@@ -5,6 +5,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "scene/describe.hpp"
 #include "scene/render_space.hpp"
 #include "scene/volume_values.hpp"
 
@@ -34,8 +35,8 @@ Json phase_of(const PhaseFunction& phase)
     return json;
 }
 
-/// Number of a volume in the list of volumes, or null.
-Json volume_number(int volume) { return volume == none ? Json(nullptr) : Json(volume); }
+/// Number of a volume or texture in its list, or null.
+Json number_or_null(int index) { return index == none ? Json(nullptr) : Json(index); }
 
 Json volumes_of(const Scene& scene)
 {
@@ -64,9 +65,9 @@ Json media_of(const Scene& scene)
         media.push_back({{"name", medium.name},
                          {"where", to_string(medium.where)},
                          {"sigma_t", json_of(medium.sigma_t / scene.unit)},
-                         {"density", volume_number(medium.density)},
+                         {"density", number_or_null(medium.density)},
                          {"albedo", json_of(medium.albedo)},
-                         {"albedo_volume", volume_number(medium.albedo_volume)}});
+                         {"albedo_volume", number_or_null(medium.albedo_volume)}});
         media.back().update(phase_of(medium.phase));
     }
     return media;
@@ -91,26 +92,39 @@ Json shapes_of(const Scene& scene)
 
 Json emitters_of(const Scene& scene)
 {
-    constexpr std::array types{"point", "spot", "area", "directional", "constant"};
     Json emitters = Json::array();
     for (const auto& emitter : scene.emitters)
         emitters.push_back({{"name", emitter.name},
                             {"where", to_string(emitter.where)},
-                            {"type", types[static_cast<std::size_t>(emitter.type)]},
+                            {"type", type_name(emitter.type)},
+                            {"map", number_or_null(emitter.map)},
                             {"medium", medium_name(scene, emitter.medium)}});
     return emitters;
 }
 
 Json bsdfs_of(const Scene& scene)
 {
-    constexpr std::array types{"null", "diffuse", "dielectric", "conductor"};
     Json bsdfs = Json::array();
     for (const auto& bsdf : scene.bsdfs)
         bsdfs.push_back({{"name", bsdf.name},
                          {"where", to_string(bsdf.where)},
-                         {"type", types[static_cast<std::size_t>(bsdf.type)]},
-                         {"two_sided", bsdf.two_sided}});
+                         {"type", type_name(bsdf.type)},
+                         {"two_sided", bsdf.two_sided},
+                         {"reflectance_texture", number_or_null(bsdf.reflectance_texture)},
+                         {"transmittance_texture", number_or_null(bsdf.transmittance_texture)},
+                         {"diffuse_texture", number_or_null(bsdf.diffuse_texture)}});
     return bsdfs;
+}
+
+Json textures_of(const Scene& scene)
+{
+    Json textures = Json::array();
+    for (const auto& texture : scene.textures) {
+        const bool bitmap = texture.type == Texture::Type::bitmap;
+        textures.push_back({{"name", texture.name}, {"where", to_string(texture.where)}, {"type", bitmap ? "bitmap" : "checkerboard"}, {"largest", json_of(texture.largest)}});
+        if (bitmap) textures.back().update({{"width", texture.width}, {"height", texture.height}, {"channels", texture.channels}});
+    }
+    return textures;
 }
 
 Json film_of(const Camera& camera)
@@ -136,6 +150,10 @@ std::string to_json(const Scene& scene)
     json["media"] = media_of(scene);
     json["volumes"] = volumes_of(scene);
     json["bsdfs"] = bsdfs_of(scene);
+    json["textures"] = textures_of(scene);
+    json["environment_maps"] = Json::array();
+    for (const auto& map : scene.environment_maps)
+        json["environment_maps"].push_back({{"name", map.name}, {"where", to_string(map.where)}, {"width", map.width}, {"height", map.height}, {"mean", json_of(map.mean)}});
     json["shapes"] = shapes_of(scene);
     json["emitters"] = emitters_of(scene);
     json["warnings"] = scene.warnings;

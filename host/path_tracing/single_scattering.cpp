@@ -116,9 +116,7 @@ private:
 
     Rgb light_from(const Stretch& stretch, int emitter)
     {
-        const Emitter::Type type = scene_.emitters[emitter].type;
-        const bool outside = type == Emitter::Type::directional || type == Emitter::Type::constant;
-        return outside ? light_from_outside(stretch, emitter) : light_from_point(stretch, emitter);
+        return scene_.emitters[emitter].outside() ? light_from_outside(stretch, emitter) : light_from_point(stretch, emitter);
     }
 
     Chosen choose_distance(const Stretch& stretch, const Vec3& light)

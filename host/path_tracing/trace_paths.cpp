@@ -27,7 +27,7 @@ struct Shared {
     const Visibility& visibility;
     const PathTracingSettings& settings;
     const EmitterSampler emitters;
-    std::vector<int> constants{};  ///< the constant emitters
+    std::vector<int> surroundings{};  ///< the emitters that a ray meets which leaves the scene
 };
 
 /// A path that begins at the camera and grows towards the lights. Every light that it meets by chance and every connection to a light adds
@@ -83,8 +83,8 @@ private:
             radiance = emitted_radiance(scene_, walk.surface, ray_.direction);
             if (largest(radiance) > 0) radiance *= chance_weight(pdf_direct(shared_.emitters, ray_.origin, walk.surface));
         } else {
-            for (const int i : shared_.constants)
-                radiance += scene_.emitters[i].value * chance_weight(pdf_direct_constant(shared_.emitters, i));
+            for (const int i : shared_.surroundings)
+                radiance += radiance_from_outside(scene_, scene_.emitters[i], ray_.direction) * chance_weight(pdf_direct_outside(shared_.emitters, i, ray_.direction));
         }
         if (largest(radiance) > 0) add(layer, throughput_ * radiance * transmittance_of(scene_, walk));
     }
@@ -209,7 +209,7 @@ void trace_paths(const Scene& scene, const Visibility& visibility, const PathTra
     if (settings.layers.empty()) return;
     Shared shared{.scene = scene, .visibility = visibility, .settings = settings, .emitters = EmitterSampler(scene)};
     for (std::size_t i = 0; i < scene.emitters.size(); ++i)
-        if (scene.emitters[i].type == Emitter::Type::constant) shared.constants.push_back(static_cast<int>(i));
+        if (all_around(scene.emitters[i])) shared.surroundings.push_back(static_cast<int>(i));
     visibility.in_arena([&] {
         tbb::parallel_for(0, image.height, [&](int y) {
             throw_if_raised(settings.stop);

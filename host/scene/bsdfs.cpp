@@ -69,23 +69,33 @@ Roughness read_roughness(Properties& properties)
     return roughness;
 }
 
-void read_specular_colours(Properties& properties, Bsdf& bsdf)
+/// `name` into bsdf.reflectance.
+void read_reflectance(SceneBuilder& builder, Properties& properties, const std::string& name, double fallback, Bsdf& bsdf)
 {
-    bsdf.reflectance = properties.colour("specular_reflectance", Rgb(1), Range::between(0, 1));
-    bsdf.specular_transmittance = properties.colour("specular_transmittance", Rgb(1), Range::between(0, 1));
+    const SurfaceColour colour = read_reflectance(builder, properties, name, fallback);
+    bsdf.reflectance = colour.largest, bsdf.reflectance_texture = colour.texture;
 }
 
-Bsdf read_dielectric(Properties& properties, Bsdf::Type type)
+Bsdf read_diffuse(SceneBuilder& builder, Properties& properties)
+{
+    Bsdf bsdf{.type = Bsdf::Type::diffuse};
+    read_reflectance(builder, properties, "reflectance", .5, bsdf);
+    return bsdf;
+}
+
+Bsdf read_dielectric(SceneBuilder& builder, Properties& properties, Bsdf::Type type)
 {
     Bsdf bsdf{.type = type, .eta = read_eta(properties, "bk7")};
-    read_specular_colours(properties, bsdf);
+    read_reflectance(builder, properties, "specular_reflectance", 1, bsdf);
+    const SurfaceColour transmittance = read_reflectance(builder, properties, "specular_transmittance", 1);
+    bsdf.specular_transmittance = transmittance.largest, bsdf.transmittance_texture = transmittance.texture;
     if (type != Bsdf::Type::rough_dielectric) return bsdf;
     require_boundary(properties, bsdf.eta);
     bsdf.roughness = read_roughness(properties);
     return bsdf;
 }
 
-Bsdf read_conductor(Properties& properties, Bsdf::Type type)
+Bsdf read_conductor(SceneBuilder& builder, Properties& properties, Bsdf::Type type)
 {
     Bsdf bsdf{.type = type};
     const std::string material = properties.text("material", "none");
@@ -97,17 +107,18 @@ Bsdf read_conductor(Properties& properties, Bsdf::Type type)
                         in_quotes(material)));
     bsdf.conductor_eta = properties.colour("eta", Rgb(0), Range::not_negative());
     bsdf.conductor_k = properties.colour("k", Rgb(1), Range::not_negative());
-    bsdf.reflectance = properties.colour("specular_reflectance", Rgb(1), Range::between(0, 1));
+    read_reflectance(builder, properties, "specular_reflectance", 1, bsdf);
     if (type == Bsdf::Type::rough_conductor) bsdf.roughness = read_roughness(properties);
     return bsdf;
 }
 
-Bsdf read_plastic(Properties& properties, Bsdf::Type type)
+Bsdf read_plastic(SceneBuilder& builder, Properties& properties, Bsdf::Type type)
 {
     Bsdf bsdf{.type = type, .eta = read_eta(properties, "polypropylene")};
     require_boundary(properties, bsdf.eta);
-    bsdf.diffuse = properties.colour("diffuse_reflectance", Rgb(.5), Range::between(0, 1));
-    bsdf.reflectance = properties.colour("specular_reflectance", Rgb(1), Range::between(0, 1));
+    const SurfaceColour below = read_reflectance(builder, properties, "diffuse_reflectance", .5);
+    bsdf.diffuse = below.largest, bsdf.diffuse_texture = below.texture;
+    read_reflectance(builder, properties, "specular_reflectance", 1, bsdf);
     bsdf.nonlinear = properties.boolean("nonlinear", false);
     if (type == Bsdf::Type::rough_plastic) {
         read_distribution(properties, bsdf.roughness);
@@ -136,18 +147,18 @@ int read_twosided(SceneBuilder& builder, Properties& properties)
     return add(builder, std::move(bsdf));
 }
 
-Bsdf read_one_sided(Properties& properties)
+Bsdf read_one_sided(SceneBuilder& builder, Properties& properties)
 {
     const std::string& type = properties.type();
     if (type == "null") return {.type = Bsdf::Type::null, .reflectance = Rgb(0)};
-    if (type == "diffuse") return {.type = Bsdf::Type::diffuse, .reflectance = properties.colour("reflectance", Rgb(.5), Range::between(0, 1))};
-    if (type == "dielectric") return read_dielectric(properties, Bsdf::Type::dielectric);
-    if (type == "thindielectric") return read_dielectric(properties, Bsdf::Type::thin_dielectric);
-    if (type == "roughdielectric") return read_dielectric(properties, Bsdf::Type::rough_dielectric);
-    if (type == "conductor") return read_conductor(properties, Bsdf::Type::conductor);
-    if (type == "roughconductor") return read_conductor(properties, Bsdf::Type::rough_conductor);
-    if (type == "plastic") return read_plastic(properties, Bsdf::Type::plastic);
-    if (type == "roughplastic") return read_plastic(properties, Bsdf::Type::rough_plastic);
+    if (type == "diffuse") return read_diffuse(builder, properties);
+    if (type == "dielectric") return read_dielectric(builder, properties, Bsdf::Type::dielectric);
+    if (type == "thindielectric") return read_dielectric(builder, properties, Bsdf::Type::thin_dielectric);
+    if (type == "roughdielectric") return read_dielectric(builder, properties, Bsdf::Type::rough_dielectric);
+    if (type == "conductor") return read_conductor(builder, properties, Bsdf::Type::conductor);
+    if (type == "roughconductor") return read_conductor(builder, properties, Bsdf::Type::rough_conductor);
+    if (type == "plastic") return read_plastic(builder, properties, Bsdf::Type::plastic);
+    if (type == "roughplastic") return read_plastic(builder, properties, Bsdf::Type::rough_plastic);
     properties.refuse_type({"null", "diffuse", "twosided", "dielectric", "thindielectric", "roughdielectric", "conductor", "roughconductor", "plastic", "roughplastic"});
 }
 
@@ -158,7 +169,7 @@ int read_bsdf(SceneBuilder& builder, const XmlElement& element)
     if (const auto known = builder.bsdfs.find(&element); known != builder.bsdfs.end()) return known->second;
     Properties properties(element, builder.document);
     if (properties.type() == "twosided") return builder.bsdfs[&element] = read_twosided(builder, properties);
-    Bsdf bsdf = read_one_sided(properties);
+    Bsdf bsdf = read_one_sided(builder, properties);
     bsdf.name = properties.id_or_type(), bsdf.where = properties.where();
     properties.finish();
     return builder.bsdfs[&element] = add(builder, std::move(bsdf));

@@ -28,19 +28,9 @@ std::string medium_name(const Scene& scene, int medium)
     return medium == vacuum ? "vacuum" : in_quotes(scene.media[static_cast<std::size_t>(medium)].name);
 }
 
-const char* type_name(Bsdf::Type type)
-{
-    constexpr std::array names{"null", "diffuse", "dielectric", "conductor", "thindielectric", "roughdielectric", "roughconductor", "plastic", "roughplastic"};
-    return names[static_cast<std::size_t>(type)];
-}
 const char* type_name(Shape::Type type)
 {
     constexpr std::array names{"mesh", "sphere", "disk", "cylinder"};
-    return names[static_cast<std::size_t>(type)];
-}
-const char* type_name(Emitter::Type type)
-{
-    constexpr std::array names{"point", "spot", "area", "directional", "constant"};
     return names[static_cast<std::size_t>(type)];
 }
 
@@ -121,6 +111,10 @@ std::string emitter_words(const Scene& scene, const Emitter& emitter)
         text += fmt::format(", {:.6g} degrees with full light within {:.6g}", degrees(emitter.cutoff), degrees(emitter.beam));
     if (emitter.type == Emitter::Type::spot || emitter.type == Emitter::Type::directional)
         text += " towards " + point_words(emitter.direction);
+    if (emitter.map != none) {
+        const EnvironmentMap& map = scene.environment_maps[static_cast<std::size_t>(emitter.map)];
+        text += fmt::format(" x {} of {} x {} pixels, mean radiance {}", in_quotes(map.name), map.width, map.height, words(map.mean * emitter.value));
+    }
     if (emitter.shape != none) text += " on shape " + in_quotes(scene.shapes[static_cast<std::size_t>(emitter.shape)].name);
     return text + (emitter.medium == vacuum ? "" : ", in " + medium_name(scene, emitter.medium)) + "\n";
 }
@@ -134,22 +128,47 @@ std::string roughness_words(const Bsdf& bsdf)
     return fmt::format(", {} facets of roughness {}\n", r.type == Roughness::Type::ggx ? "GGX" : "Beckmann", alpha);
 }
 
-std::string bsdf_words(const Bsdf& bsdf)
+/// The colour, or the texture's name.
+std::string colour_words(const Scene& scene, const Rgb& colour, int texture)
+{
+    return texture == none ? words(colour) : in_quotes(scene.textures[static_cast<std::size_t>(texture)].name);
+}
+
+std::string bsdf_words(const Scene& scene, const Bsdf& bsdf)
 {
     std::string text =
         fmt::format("bsdf       {}: {}{}", in_quotes(bsdf.name), type_name(bsdf.type), bsdf.two_sided ? ", on both sides" : "");
-    if (bsdf.type != Bsdf::Type::null) text += " reflectance " + words(bsdf.reflectance);
+    if (bsdf.type != Bsdf::Type::null) text += " reflectance " + colour_words(scene, bsdf.reflectance, bsdf.reflectance_texture);
     using Type = Bsdf::Type;
     const Type type = bsdf.type;
     const bool plastic = type == Type::plastic || type == Type::rough_plastic, conductor = type == Type::conductor || type == Type::rough_conductor;
     if (type == Type::dielectric || type == Type::thin_dielectric || type == Type::rough_dielectric)
-        text += fmt::format(", transmittance {}, relative index {:.6g}", words(bsdf.specular_transmittance), bsdf.eta);
-    if (plastic) text += fmt::format(", below it {}, relative index {:.6g}", words(bsdf.diffuse), bsdf.eta);
+        text += fmt::format(", transmittance {}, relative index {:.6g}", colour_words(scene, bsdf.specular_transmittance, bsdf.transmittance_texture), bsdf.eta);
+    if (plastic) text += fmt::format(", below it {}, relative index {:.6g}", colour_words(scene, bsdf.diffuse, bsdf.diffuse_texture), bsdf.eta);
     if (conductor) text += fmt::format(", eta {}, k {}", words(bsdf.conductor_eta), words(bsdf.conductor_k));
     return text + roughness_words(bsdf);
 }
 
+std::string texture_words(const Texture& texture)
+{
+    const std::string name = in_quotes(texture.name);
+    if (texture.type == Texture::Type::checkerboard) return fmt::format("texture    {}: checkerboard of {} and {}\n", name, words(texture.even), words(texture.odd));
+    return fmt::format("texture    {}: bitmap of {} x {} pixels, {}, at most {}\n", name, texture.width, texture.height, texture.channels == 1 ? "grey" : "coloured", words(texture.largest));
+}
+
 }  // namespace
+
+const char* type_name(Bsdf::Type type)
+{
+    constexpr std::array names{"null", "diffuse", "dielectric", "conductor", "thindielectric", "roughdielectric", "roughconductor", "plastic", "roughplastic"};
+    return names[static_cast<std::size_t>(type)];
+}
+
+const char* type_name(Emitter::Type type)
+{
+    constexpr std::array names{"point", "spot", "area", "directional", "constant", "envmap"};
+    return names[static_cast<std::size_t>(type)];
+}
 
 std::string describe(const Scene& scene)
 {
@@ -167,7 +186,8 @@ std::string describe(const Scene& scene)
     for (const Volume& volume : scene.volumes) text += volume_words(scene, volume);
     for (const Shape& shape : scene.shapes) text += shape_words(scene, shape);
     for (const Emitter& emitter : scene.emitters) text += emitter_words(scene, emitter);
-    for (const Bsdf& bsdf : scene.bsdfs) text += bsdf_words(bsdf);
+    for (const Bsdf& bsdf : scene.bsdfs) text += bsdf_words(scene, bsdf);
+    for (const Texture& texture : scene.textures) text += texture_words(texture);
     for (const std::string& warning : scene.warnings) text += "warning    " + warning + "\n";
     return text;
 }

@@ -10,4 +10,8 @@ namespace tyndall {
 /// file's units.
 std::string describe(const Scene& scene);
 
+/// As scene files call it.
+const char* type_name(Bsdf::Type type);
+const char* type_name(Emitter::Type type);
+
 }  // namespace tyndall

@@ -1,8 +1,9 @@
-// Lights: point, spot, area, directional, constant.
+// Lights: point, spot, area, directional, constant, envmap.
 #include <fmt/format.h>
 
 #include <numbers>
 
+#include "scene/environment_maps.hpp"
 #include "scene/scene_builder.hpp"
 #include "scene/text.hpp"
 #include "scene/transforms.hpp"
@@ -58,14 +59,59 @@ Emitter read_unplaced(Properties& properties, Emitter::Type type)
     return emitter;
 }
 
-Emitter read_typed(Properties& properties)
+/// Pixels of a map: its tables take twenty bytes for each.
+constexpr std::int64_t most_environment_pixels = std::int64_t{1} << 25;
+
+EnvironmentMap map_of(Picture&& picture, const Properties& properties, const std::string& name)
 {
+    const auto refuse_file = [&](const std::string& why) { properties.refuse_parameter("filename", printable(name) + ": " + why); };
+    if (picture.width < 2 || picture.height < 2 || std::int64_t{picture.width} * picture.height > most_environment_pixels)
+        refuse_file(fmt::format("has {} x {} pixels; an envmap has at least 2 x 2, and at most {}", picture.width, picture.height, most_environment_pixels));
+    const std::size_t channels = static_cast<std::size_t>(picture.channels), row = static_cast<std::size_t>(picture.width) * channels;
+    for (std::size_t i = 0; i < picture.values.size(); ++i)
+        if (picture.values[i] < 0) refuse_file(fmt::format("pixel ({}, {}) is {}; radiance must not be negative", i % row / channels, i / row, picture.values[i]));
+    EnvironmentMap map{.name = name, .width = picture.width, .height = picture.height, .texels = std::move(picture.values), .where = properties.where()};
+    if (channels == 1) {
+        std::vector<float> grey = std::move(map.texels);
+        map.texels.resize(3 * grey.size());
+        for (std::size_t i = 0; i < map.texels.size(); ++i) map.texels[i] = grey[i / 3];
+    }
+    prepare_environment(map);
+    return map;
+}
+
+/// The directions of the columns of to_world's linear part.
+Mat3 turning_of(Properties& properties)
+{
+    const Mat3 linear(properties.transform("to_world"));
+    Mat3 turning;
+    for (int i = 0; i < 3; ++i) turning[i] = glm::normalize(linear[i]);
+    for (int i = 0; i < 3; ++i)
+        if (std::abs(glm::dot(turning[i], turning[(i + 1) % 3])) > 1e-6)  // as for spheres (scene/shapes.cpp)
+            properties.refuse_parameter("to_world", "to_world shears, which directions cannot follow; turn the map only");
+    return turning;
+}
+
+Emitter read_envmap(SceneBuilder& builder, Properties& properties)
+{
+    const std::string name = properties.text("filename", "");
+    Emitter emitter{.type = Emitter::Type::envmap};
+    emitter.value = Rgb(properties.real("scale", 1, Range::not_negative()));
+    emitter.map_to_world = turning_of(properties);
+    builder.scene.environment_maps.push_back(map_of(read_scene_picture(builder, properties, false), properties, name));
+    emitter.map = static_cast<int>(builder.scene.environment_maps.size()) - 1;
+    return emitter;
+}
+
+Emitter read_typed(SceneBuilder& builder, Properties& properties)
+{
+    if (properties.type() == "envmap") return read_envmap(builder, properties);
     if (properties.type() == "point") return read_point(properties);
     if (properties.type() == "spot") return read_spot(properties);
     if (properties.type() == "directional") return read_directional(properties);
     if (properties.type() == "constant") return read_unplaced(properties, Emitter::Type::constant);
     if (properties.type() == "area") return read_unplaced(properties, Emitter::Type::area);
-    properties.refuse_type({"point", "spot", "area", "directional", "constant"});
+    properties.refuse_type({"point", "spot", "area", "directional", "constant", "envmap"});
 }
 
 }  // namespace
@@ -73,7 +119,7 @@ Emitter read_typed(Properties& properties)
 int read_emitter(SceneBuilder& builder, const XmlElement& element, int shape)
 {
     Properties properties(element, builder.document);
-    Emitter emitter = read_typed(properties);
+    Emitter emitter = read_typed(builder, properties);
     const bool is_area = emitter.type == Emitter::Type::area;
     if (is_area && shape == none) refuse(properties.where(), properties.title() + ": an area emitter stands inside the <shape> that glows");
     if (!is_area && shape != none)

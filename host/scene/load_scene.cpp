@@ -61,7 +61,7 @@ void read_root(SceneBuilder& builder)
     for (const Nested& bsdf : properties.nested("bsdf")) read_bsdf(builder, *bsdf.object);
     for (const Nested& shape : properties.nested("shape")) read_shape(builder, *shape.object);
     for (const Nested& emitter : properties.nested("emitter")) read_emitter(builder, *emitter.object);
-    for (const char* part : {"film", "sampler", "rfilter", "phase", "volume"}) check_parts(properties, part);
+    for (const char* part : {"film", "sampler", "rfilter", "phase", "volume", "texture"}) check_parts(properties, part);
     properties.finish();
 }
 

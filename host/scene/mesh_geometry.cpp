@@ -120,11 +120,28 @@ Mesh rectangle_mesh()
 
 Mesh cube_mesh()
 {
+    // One axis of the cube for each of u and v, forwards (+) or backwards, is Mitsuba's map of the face.
+    struct Face {
+        std::array<int, 4> corners;  ///< bits: x, y, z
+        Vec3 u, v;
+    };
+    constexpr int x = 1, y = 2, z = 4;
+    const std::array<Face, 6> faces{{{{0, z, y + z, y}, {0, 1, 0}, {0, 0, 1}},
+                                     {{x, x + y, x + y + z, x + z}, {0, 1, 0}, {0, 0, -1}},
+                                     {{0, x, x + z, z}, {0, 0, 1}, {1, 0, 0}},
+                                     {{y, y + z, x + y + z, x + y}, {-1, 0, 0}, {0, 0, -1}},
+                                     {{0, y, x + y, x}, {0, -1, 0}, {1, 0, 0}},
+                                     {{z, x + z, x + y + z, y + z}, {0, 1, 0}, {1, 0, 0}}}};
     Mesh mesh;
-    for (int i = 0; i < 8; ++i) mesh.vertices.emplace_back(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-    constexpr std::array<std::array<std::uint32_t, 4>, 6> faces{
-        {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
-    for (const auto& [a, b, c, d] : faces) mesh.triangles.insert(mesh.triangles.end(), {{a, b, c}, {a, c, d}});
+    for (const Face& face : faces) {
+        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+        for (const int corner : face.corners) {
+            const Vec3 vertex(corner & x ? 1 : -1, corner & y ? 1 : -1, corner & z ? 1 : -1);
+            mesh.vertices.push_back(vertex);
+            mesh.uvs.emplace_back((1 + glm::dot(vertex, face.u)) / 2, (1 + glm::dot(vertex, face.v)) / 2);
+        }
+        mesh.triangles.insert(mesh.triangles.end(), {{first, first + 1, first + 2}, {first, first + 2, first + 3}});
+    }
     return mesh;
 }
 

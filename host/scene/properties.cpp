@@ -149,6 +149,18 @@ const XmlElement* Properties::single(const std::string& tag)
     return found.empty() ? nullptr : found[0].object;
 }
 
+const XmlElement* Properties::nested_as(const std::string& tag, const std::string& name)
+{
+    asked_roles_.insert(name);
+    const XmlElement* found = nullptr;
+    for (Child& child : children_) {
+        if (child.nested.object->tag != tag || child.nested.role != name) continue;
+        if (found || has(name)) refuse(child.nested.mention->where, fmt::format("{}: {} is given twice", title_, printable(name)));
+        child.used = true, found = child.nested.object;
+    }
+    return found;
+}
+
 void Properties::ignore_parameters()
 {
     for (Parameter& parameter : parameters_) parameter.used = true;
@@ -162,6 +174,10 @@ void Properties::finish()
             refuse(parameter.element->where,
                    fmt::format("{}: unknown parameter {}{}{}", title_, in_quotes(parameter.name), suggestion(parameter.name, known),
                                known.empty() ? "; it takes none" : "; it takes: " + join(known)));
+    const std::vector<std::string> roles(asked_roles_.begin(), asked_roles_.end());
+    for (const Child& child : children_)
+        if (!child.used && !roles.empty() && child.nested.object->tag == "texture")
+            refuse(child.nested.mention->where, fmt::format("{}: a <texture> needs the name of what it colours{}; it may be: {}", title_, suggestion(child.nested.role, roles), join(roles)));
     for (const Child& child : children_)
         if (!child.used)
             refuse(child.nested.mention->where,

@@ -65,6 +65,8 @@ public:
     std::vector<Nested> nested(const std::string& tag);
     /// At most one nested object with this tag; null if there is none.
     const XmlElement* single(const std::string& tag);
+    /// The nested object with this tag that stands in for the parameter `name` (name="reflectance"); null if there is none. Refuses a second one, and one beside a value.
+    const XmlElement* nested_as(const std::string& tag, const std::string& name);
 
     /// Takes what is left of the parameters (an integrator's, a sampler's: they are not ours).
     void ignore_parameters();
@@ -95,7 +97,7 @@ private:
     std::string type_, title_;
     std::vector<Parameter> parameters_;
     std::vector<Child> children_;
-    std::set<std::string> asked_, asked_tags_;
+    std::set<std::string> asked_, asked_tags_, asked_roles_;
 };
 
 /// Refuses attributes that the element does not take, naming the nearest that it does.

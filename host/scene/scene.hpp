@@ -62,6 +62,24 @@ struct Medium {
 
 inline constexpr int vacuum = -1;  ///< medium index of empty space
 
+/// Colours over texture coordinates; scene/textures.hpp says which colour is where.
+struct Texture {
+    enum class Type { bitmap, checkerboard };
+    enum class Filter { bilinear, nearest };
+    enum class Wrap { repeat, mirror, clamp };  ///< what continues a bitmap beyond [0, 1]^2
+    std::string name;            ///< of a bitmap's file, or the element's id or type
+    Type type = Type::bitmap;
+    int width = 1, height = 1;   ///< bitmap
+    int channels = 1;            ///< bitmap: 1 (grey) or 3 (r, g, b)
+    std::vector<float> texels{}; ///< bitmap: [y][x][channel], linear, finite, >= 0; row 0 is at v = 0, the top of the picture
+    Filter filter = Filter::bilinear;
+    Wrap wrap = Wrap::repeat;
+    Rgb even{.4}, odd{.2};       ///< checkerboard: squares of half a unit; `even` at the origin
+    Mat4 to_uv{1};               ///< what texture coordinates (u, v, 0, 1) become before they are looked up
+    Rgb largest{1};              ///< per channel
+    SourceLocation where;
+};
+
 /// Facets of a rough surface (scene/microfacet.hpp): Gaussian slopes (Beckmann) or GGX's longer tail.
 struct Roughness {
     enum class Type { beckmann, ggx };
@@ -85,6 +103,8 @@ struct Bsdf {
     bool nonlinear = false;          ///< plastics: light that the boundary throws back inside takes on the colour of `diffuse` again
     double internal_reflectance = 0;             ///< plastics (scene/plastic.hpp): of diffuse light, by the boundary, from inside
     std::vector<double> boundary_transmittance;  ///< rough_plastic: at equally spaced cosines from 0 to 1
+    /// Indices into Scene::textures that take the place of reflectance, specular_transmittance and diffuse, which then hold the textures' largest values.
+    int reflectance_texture = none, transmittance_texture = none, diffuse_texture = none;
 };
 
 /// Triangles in render space. Normals are shading normals per vertex, or empty.
@@ -111,17 +131,32 @@ struct Shape {
     SourceLocation where;
 };
 
+/// Radiance from far away, by direction; made by scene/environment_maps.hpp.
+struct EnvironmentMap {
+    std::string name;            ///< of its file
+    int width = 2, height = 2;   ///< the first row is straight up (local +y), the last straight down, columns turn around; at least 2 each
+    std::vector<float> texels{}; ///< [y][x][r, g, b], linear, finite, >= 0
+    std::vector<double> rows{};    ///< cumulative probability of the cells between rows y and y + 1, by luminance x solid angle: height - 1 values that end at 1
+    std::vector<double> columns{}; ///< [y][x] the same of the cells of a row, given the row; each row ends at 1
+    Rgb mean{0};                 ///< over all directions
+    SourceLocation where;
+};
+
 struct Emitter {
-    enum class Type { point, spot, area, directional, constant };
+    enum class Type { point, spot, area, directional, constant, envmap };
     std::string name;
     Type type = Type::point;
-    Rgb value{1};                     ///< intensity (point, spot; W/sr), radiance (area, constant; W/m2/sr), irradiance (directional; W/m2)
+    Rgb value{1};                     ///< intensity (point, spot; W/sr), radiance (area, constant; W/m2/sr), irradiance (directional; W/m2), factor of the map (envmap)
     Vec3 position{0};                 ///< point, spot
     Vec3 direction{0, 0, 1};          ///< spot: axis; directional: direction of travel; unit length
     double cutoff = .349, beam = .262;  ///< spot: half angles in radians; falloff linear in the angle between them
     int shape = none;                 ///< area: the shape that glows (on its normal's side)
+    int map = none;                   ///< envmap: index into Scene::environment_maps
+    Mat3 map_to_world{1};             ///< envmap: a rotation (or reflection)
     int medium = vacuum;              ///< the medium at the emitter's surface or position, from its ref
     SourceLocation where;
+    /// Its light comes from beyond everything: it has directions, but no place.
+    bool outside() const { return type == Type::directional || type == Type::constant || type == Type::envmap; }
 };
 
 struct Filter {
@@ -148,6 +183,8 @@ struct Scene {
     std::vector<Volume> volumes;      ///< that media refer to
     std::vector<Medium> media;
     std::vector<Bsdf> bsdfs;
+    std::vector<Texture> textures;    ///< that surfaces refer to
+    std::vector<EnvironmentMap> environment_maps;  ///< that emitters refer to
     std::vector<Shape> shapes;
     std::vector<Emitter> emitters;
     Camera camera;

@@ -2,6 +2,7 @@
 /// What the readers of the single elements share: the scene that grows, and who has been read already.
 #include <map>
 
+#include "scene/picture_files.hpp"
 #include "scene/properties.hpp"
 #include "scene/scene_files.hpp"
 #include "scene/volume_files.hpp"
@@ -12,7 +13,7 @@ struct SceneBuilder {
     const SceneDocument& document;
     SceneFiles& files;
     Scene scene{};
-    std::map<const XmlElement*, int> media{}, bsdfs{};  ///< index of what was read from an element
+    std::map<const XmlElement*, int> media{}, bsdfs{}, textures{};  ///< index of what was read from an element
     std::map<std::pair<std::filesystem::path, std::string>, VolumeFile> volume_files{};  ///< every grid of every file of voxels is read once
 
     /// Adds "file:line:column: message" to the scene's warnings.
@@ -27,6 +28,18 @@ void read_heterogeneous(SceneBuilder& builder, Properties& properties, Medium& m
 
 /// The medium among the nested objects: at most one, unless roles tell them apart. vacuum if there is none.
 int read_only_medium(SceneBuilder& builder, Properties& properties);
+
+/// A colour that may be a texture.
+struct SurfaceColour {
+    Rgb largest{0};      ///< the colour, or the texture's largest values
+    int texture = none;  ///< index into Scene::textures
+};
+
+/// <rgb>, <float>, or <texture name=...>; values between 0 and 1.
+SurfaceColour read_reflectance(SceneBuilder& builder, Properties& properties, const std::string& name, double fallback);
+
+/// The picture that the parameter `filename` names; values are linear unless `raw` leaves them as the file has them.
+Picture read_scene_picture(SceneBuilder& builder, Properties& properties, bool raw);
 
 /// Index of the bsdf in scene.bsdfs; read at the first call.
 int read_bsdf(SceneBuilder& builder, const XmlElement& element);

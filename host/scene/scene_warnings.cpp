@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/mesh_geometry.hpp"
 #include "scene/text.hpp"
 #include "scene/transforms.hpp"
 
@@ -111,12 +112,26 @@ void warn_of_unused_media(SceneBuilder& builder)
     }
 }
 
+/// Do the meshes that bound the same two media as `shape` close each other? A glass of juice is bounded by its wall and by its surface, which differ in what they do to light.
+bool closed_by_others(const Scene& scene, const Shape& shape)
+{
+    Mesh whole;
+    for (const Shape& other : scene.shapes) {
+        const bool same = other.medium_boundary && other.type == Shape::Type::mesh && other.interior == shape.interior && other.exterior == shape.exterior && other.flip_normals == shape.flip_normals;
+        if (!same) continue;
+        const auto first = static_cast<unsigned>(whole.vertices.size());
+        whole.vertices.insert(whole.vertices.end(), other.mesh.vertices.begin(), other.mesh.vertices.end());
+        for (const glm::uvec3& triangle : other.mesh.triangles) whole.triangles.push_back(triangle + first);
+    }
+    return is_closed(whole);
+}
+
 void warn_of_leaks(SceneBuilder& builder)
 {
     for (const Shape& shape : builder.scene.shapes) {
         if (!shape.medium_boundary || shape.interior == shape.exterior) continue;
         const bool open = shape.type == Shape::Type::mesh ? !shape.mesh.closed : shape.type != Shape::Type::sphere;
-        if (open)
+        if (open && !(shape.type == Shape::Type::mesh && closed_by_others(builder.scene, shape)))
             builder.warn(
                 shape.where,
                 fmt::format("shape {}: bounds a medium but is not closed: unless other shapes close it, the medium leaks; close its edges",
@@ -152,7 +167,7 @@ void warn_of_missing_refs(SceneBuilder& builder)
         builder.warn(scene.camera.where, fmt::format("the sensor seems to stand inside medium {0} without saying so; give it <ref id={0}/>",
                                                      name(around_camera)));
     for (const Emitter& emitter : scene.emitters) {
-        if (emitter.type == Emitter::Type::directional || emitter.type == Emitter::Type::constant || emitter.medium != vacuum) continue;
+        if (emitter.outside() || emitter.medium != vacuum) continue;
         const int medium = medium_at(scene, camera, scene.camera.medium, place_of(scene, emitter));
         if (medium != vacuum)
             builder.warn(

@@ -157,6 +157,15 @@ void read_media(SceneBuilder& builder, Properties& properties, Shape& shape)
     }
 }
 
+/// A picture on a mesh that does not say where on it.
+void warn_without_coordinates(SceneBuilder& builder, const Shape& shape)
+{
+    if (shape.type != Shape::Type::mesh || !shape.mesh.uvs.empty()) return;
+    const Bsdf& bsdf = builder.scene.bsdfs[static_cast<std::size_t>(shape.bsdf)];
+    if (bsdf.reflectance_texture == none && bsdf.transmittance_texture == none && bsdf.diffuse_texture == none) return;
+    builder.warn(shape.where, fmt::format("shape {}: has no texture coordinates, so that every triangle shows half of the unit square of its texture; export them", in_quotes(shape.name)));
+}
+
 }  // namespace
 
 void read_shape(SceneBuilder& builder, const XmlElement& element)
@@ -175,6 +184,7 @@ void read_shape(SceneBuilder& builder, const XmlElement& element)
     }
     const XmlElement* bsdf = properties.single("bsdf");
     shape.bsdf = bsdf ? read_bsdf(builder, *bsdf) : default_bsdf(builder, shape.emitter != none);
+    warn_without_coordinates(builder, shape);
     if (shape.emitter != none && builder.scene.bsdfs[static_cast<std::size_t>(shape.bsdf)].type == Bsdf::Type::null)
         refuse(properties.where(), properties.title() + ": glows, but its bsdf is null: light cannot leave a surface that is not there; give it another bsdf");
     properties.finish();

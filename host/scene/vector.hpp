@@ -9,6 +9,7 @@ namespace tyndall {
 using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
 using Rgb = glm::dvec3;  ///< linear, red green blue
+using Mat3 = glm::dmat3;
 using Mat4 = glm::dmat4;
 
 inline double largest(const Rgb& c) { return std::max({c.r, c.g, c.b}); }

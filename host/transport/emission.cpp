@@ -56,6 +56,10 @@ EmissionSample sample_emission(const EmitterSampler& emitters, int emitter, cons
                 return from_outside(emitters, e.direction, xi_position, e.value);
             case Emitter::Type::constant:
                 return from_outside(emitters, sample_uniform_sphere(xi_direction), xi_position, e.value / pdf_uniform_sphere);
+            case Emitter::Type::envmap: {
+                const DirectSample from = sample_direct(emitters, emitter, emitters.scene_centre(), xi_direction);
+                return from_outside(emitters, -from.direction, xi_position, from.weight);
+            }
         }
         return {};
     };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/environment_maps.hpp"
 #include "transport/frame.hpp"
 #include "transport/medium.hpp"
 #include "transport/warp.hpp"
@@ -71,6 +72,8 @@ double quadric_area(const Shape& shape)
     return area / (n * n);
 }
 
+const EnvironmentMap& map_of(const Scene& scene, const Emitter& emitter) { return scene.environment_maps[static_cast<std::size_t>(emitter.map)]; }
+
 std::size_t find_interval(const std::vector<double>& cumulative, double value)
 {
     const auto found = std::upper_bound(cumulative.begin(), cumulative.end(), value);
@@ -106,6 +109,8 @@ double EmitterSampler::power(const Emitter& emitter, double surface_area) const
             return disk * value;
         case Emitter::Type::constant:
             return 4 * pi * disk * value;
+        case Emitter::Type::envmap:
+            return 4 * pi * disk * mean(emitter.value * map_of(scene_, emitter).mean);
     }
     return 0;
 }
@@ -185,6 +190,11 @@ DirectSample sample_direct(const EmitterSampler& emitters, int emitter, const Ve
     if (e.type == Emitter::Type::constant)
         return {
             .direction = sample_uniform_sphere(xi), .weight = e.value / pdf_uniform_sphere, .pdf = pdf_uniform_sphere, .infinite = true};
+    if (e.type == Emitter::Type::envmap) {
+        const EnvironmentSample sample = sample_environment(map_of(emitters.scene(), e), xi);
+        const Vec3 direction = glm::normalize(e.map_to_world * sample.towards);
+        return {.direction = direction, .weight = radiance_from_outside(emitters.scene(), e, direction) / sample.pdf, .pdf = sample.pdf, .infinite = true};
+    }
     const EmitterPoint point = emitters.sample_point(emitter, xi);
     const Vec3 to_light = point.position - reference;
     const double distance = glm::length(to_light);
@@ -204,7 +214,20 @@ double pdf_direct(const EmitterSampler& emitters, const Vec3& reference, const H
     return emitters.probability(emitters.scene().shapes[hit.shape].emitter) * emitters.pdf_point(hit) * square / cosine;
 }
 
-double pdf_direct_constant(const EmitterSampler& emitters, int emitter) { return emitters.probability(emitter) * pdf_uniform_sphere; }
+bool all_around(const Emitter& emitter) { return emitter.type == Emitter::Type::constant || emitter.type == Emitter::Type::envmap; }
+
+Rgb radiance_from_outside(const Scene& scene, const Emitter& emitter, const Vec3& direction)
+{
+    if (emitter.type != Emitter::Type::envmap) return emitter.value;
+    return emitter.value * radiance_from(map_of(scene, emitter), glm::transpose(emitter.map_to_world) * direction);
+}
+
+double pdf_direct_outside(const EmitterSampler& emitters, int emitter, const Vec3& direction)
+{
+    const Emitter& e = emitters.scene().emitters[emitter];
+    const bool mapped = e.type == Emitter::Type::envmap;
+    return emitters.probability(emitter) * (mapped ? pdf_environment(map_of(emitters.scene(), e), glm::transpose(e.map_to_world) * direction) : pdf_uniform_sphere);
+}
 
 Rgb emitted_radiance(const Scene& scene, const Hit& hit, const Vec3& direction)
 {

@@ -22,7 +22,7 @@ struct DirectSample {
     Rgb weight{0};  ///< estimate of the integral of radiance over solid angle, given the emitter: radiance / pdf, or intensity / distance^2
     double pdf = 0;         ///< per steradian at the reference point, given the emitter; 0 if delta
     bool delta = false;     ///< no ray finds this light by chance (point, spot, directional)
-    bool infinite = false;  ///< from outside the scene (directional, constant)
+    bool infinite = false;  ///< from outside the scene (Emitter::outside)
 };
 
 /// Where light begins.
@@ -50,11 +50,11 @@ public:
     double probability(int emitter) const { return powers_[emitter] / total_; }
     const Scene& scene() const { return scene_; }
 
-    /// Radius and centre of a sphere around the scene: directional and constant light starts outside it.
+    /// Radius and centre of a sphere around the scene: light from outside starts on it.
     double scene_radius() const { return radius_; }
     const Vec3& scene_centre() const { return centre_; }
 
-    /// Uniform by area on an area emitter; the position itself of a point or spot. Not for directional and constant.
+    /// Uniform by area on an area emitter; the position itself of a point or spot. Not for lights from outside.
     EmitterPoint sample_point(int emitter, const Vec2& xi) const;
 
     /// Density per area with which sample_point finds the point of `hit`, on its emitter.
@@ -88,8 +88,14 @@ DirectSample sample_direct(const EmitterSampler& emitters, int emitter, const Ve
 /// there met at `hit`.
 double pdf_direct(const EmitterSampler& emitters, const Vec3& reference, const Hit& hit);
 
-/// The same for a ray that left the scene and a constant emitter.
-double pdf_direct_constant(const EmitterSampler& emitters, int emitter);
+/// Does a ray that leaves the scene meet this emitter's light by chance (constant, envmap)?
+bool all_around(const Emitter& emitter);
+
+/// Radiance that a ray along unit `direction`, which leaves the scene, meets there; `emitter` is all around.
+Rgb radiance_from_outside(const Scene& scene, const Emitter& emitter, const Vec3& direction);
+
+/// As pdf_direct, for a ray along unit `direction` that left the scene and an emitter all around.
+double pdf_direct_outside(const EmitterSampler& emitters, int emitter, const Vec3& direction);
 
 /// Radiance that a ray travelling along `direction` meets at `hit`: of the area emitter there, on its front.
 Rgb emitted_radiance(const Scene& scene, const Hit& hit, const Vec3& direction);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "scene/texture_lookup.hpp"
 #include "transport/surface_place.hpp"
 
 namespace tyndall {
@@ -22,6 +23,19 @@ bool transparent(Bsdf::Type type)
 /// Does light change the medium that sets its radiance's scale?
 bool bends(Bsdf::Type type) { return type == Bsdf::Type::dielectric || type == Bsdf::Type::rough_dielectric; }
 
+/// The colours of `side` that are textures, at the hit.
+void look_up_colours(const Scene& scene, const Bsdf& bsdf, const Hit& hit, Side& side)
+{
+    if (bsdf.reflectance_texture == none && bsdf.transmittance_texture == none && bsdf.diffuse_texture == none) return;
+    const Vec2 uv = place_on_surface(scene, hit).uv;
+    const auto look_up = [&](int texture, Rgb& colour) {
+        if (texture != none) colour = texture_at(scene.textures[static_cast<std::size_t>(texture)], uv);
+    };
+    look_up(bsdf.reflectance_texture, side.reflectance);
+    look_up(bsdf.transmittance_texture, side.transmittance);
+    look_up(bsdf.diffuse_texture, side.diffuse);
+}
+
 }  // namespace
 
 Side side_of(const Scene& scene, const Arrival& arrival)
@@ -32,8 +46,10 @@ Side side_of(const Scene& scene, const Arrival& arrival)
     const Bsdf* seen = &bsdf;
     if (!transparent(bsdf.type) && !front) seen = !bsdf.two_sided ? nullptr : bsdf.back == none ? &bsdf : &scene.bsdfs[static_cast<std::size_t>(bsdf.back)];
     const Bsdf& colours = seen ? *seen : bsdf;
-    return {.bsdf = seen, .shading = sign * arrival.hit.shading_normal, .geometric = sign * arrival.hit.geometric_normal, .front = front,
+    Side side{.bsdf = seen, .shading = sign * arrival.hit.shading_normal, .geometric = sign * arrival.hit.geometric_normal, .front = front,
             .reflectance = colours.reflectance, .transmittance = colours.specular_transmittance, .diffuse = colours.diffuse};
+    look_up_colours(scene, colours, arrival.hit, side);
+    return side;
 }
 
 Frame facet_frame(const Scene& scene, const Side& side, const Hit& hit)

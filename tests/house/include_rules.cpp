@@ -98,8 +98,8 @@ const std::vector<Library>& libraries()
     static const std::vector<Library> all = {
         {"OpenCL", R"(^CL/|^OpenCL/)", {"host/device/"}},
         {"Embree", R"(^embree[0-9]*/)", {"host/visibility/"}},
-        {"OpenEXR", R"(^OpenEXR/|^Imath/|^Imf|^half\.h$)", {"host/film/"}},
-        {"PNG", R"(^png\.h$)", {"host/film/"}},
+        {"OpenEXR", R"(^OpenEXR/|^Imath/|^Imf|^half\.h$)", {"host/film/", "host/scene/picture_exr.cpp"}},
+        {"PNG", R"(^png\.h$)", {"host/film/", "host/scene/picture_png.cpp"}},
         {"pugixml", R"(^pugixml)", {"host/scene/"}},
         {"tinyobjloader", R"(^tiny_obj_loader)", {"host/scene/"}},
         {"OpenVDB", R"(^openvdb/)", {"host/scene/volume_vdb.cpp"}},

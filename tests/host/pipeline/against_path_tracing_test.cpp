@@ -1,5 +1,7 @@
 /// Virtual ray lights against their brute-force twin, layer by layer, where media, surfaces and lights lie in every way to each other.
 /// Channels differ in extinction, so each is judged.
+#include "support/picture_file.hpp"
+#include "support/temporary_folder.hpp"
 #include "whole_renderer.hpp"
 
 using namespace tyndall;
@@ -120,6 +122,31 @@ TEST(AgainstPathTracing, PlasticAndRoughMetalBesideADiffuseFloor)
     for (const auto& layer : t.vrl.report().layers)
         if (layer.layer == "media_to_surface") { EXPECT_EQ(layer.technique, "virtual ray lights, path tracing"); }
     expect_twins(t, {Layer::single, Layer::media_to_media, Layer::media_to_surface}, .05);
+}
+
+/// Eye points carry the colour that stands where they stand: squares of light and dark under one half of the fog, none under the other.
+TEST(AgainstPathTracing, TexturedFloorAndBall)
+{
+    const auto checkered = [](const std::string& role, const Rgb& even, const Rgb& odd, const std::string& to_uv) {
+        return "<texture type=\"checkerboard\" name=\"" + role + "\">" + rgb("color0", even) + rgb("color1", odd) + "<transform name=\"to_uv\">" + to_uv + "</transform></texture>";
+    };
+    const std::string wood = "<bsdf type=\"twosided\"><bsdf type=\"diffuse\">" + checkered("reflectance", Rgb(.9, .1, .7), Rgb(0, .8, .3), R"(<scale x=".7" y="1.5"/>)") + "</bsdf></bsdf>",
+                      toy = "<bsdf type=\"plastic\">" + checkered("diffuse_reflectance", Rgb(.8), Rgb(.1), R"(<scale value="4"/>)") + "</bsdf>";
+    const Twins t = twins(fog + container({-.9, -.5, -.5}, {.1, .5, .5}, "fog") + sphere({.5, -.5, .3}, .3, toy) + horizontal({0, -.8, 0}, 1.5, true, wood) + lamp + view, 300, 6000);
+    expect_twins(t, {Layer::single, Layer::media_to_media, Layer::media_to_surface, Layer::surface_direct}, .08);
+}
+
+/// A sky with a bright patch, in a file: light paths start on a disk around the scene, path tracing meets it or connects to it.
+TEST(AgainstPathTracing, EnvironmentMap)
+{
+    const TemporaryFolder folder;
+    std::vector<float> texels;
+    for (int i = 0; i < 8 * 5; ++i) texels.insert(texels.end(), {i == 11 ? 30.f : .3f, i == 11 ? 25.f : .4f, i == 11 ? 20.f : .6f});
+    exr_bytes(8, 5, {"R", "G", "B"}, texels, folder / "sky.exr");
+    const std::string sky = R"(<emitter type="envmap"><string name="filename" value="sky.exr"/><float name="scale" value=".5"/><transform name="to_world"><rotate y="1" angle="40"/></transform></emitter>)";
+    const Scene scene = parse_scene("<scene version=\"3.0.0\">" + fog + container(Vec3(-.5), Vec3(.5), "fog") + floor_below + sky + view + "</scene>", folder.path(), "scene.xml");
+    const Twins t{render_whole(scene, {.method = Method::vrl, .passes = 400, .lights = 256}), render_whole(scene, {.method = Method::path, .passes = 6000, .seed = 2})};
+    expect_twins(t, {Layer::emitted, Layer::surface_direct, Layer::single, Layer::media_to_media, Layer::media_to_surface}, .03);
 }
 
 /// Two boxes in vacuum are clipped in the kernel. A small boundary inside one of them between the medium and itself changes nothing but

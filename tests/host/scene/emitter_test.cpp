@@ -129,8 +129,8 @@ TEST(Emitter, WrongValuesAreSentences)
     EXPECT_EQ(emitter_fault("point", R"(<rgb name="intensty" value="1"/>)")
                   .find("scene.xml:3:1: emitter \"point\": unknown parameter \"intensty\" (did you mean \"intensity\"?)"),
               0u);
-    EXPECT_EQ(emitter_fault("envmap"),
-              "scene.xml:2:1: emitter type \"envmap\" is not supported; supported: point, spot, area, directional, constant");
+    EXPECT_EQ(emitter_fault("sunsky"),
+              "scene.xml:2:1: emitter type \"sunsky\" is not supported; supported: point, spot, area, directional, constant, envmap");
     EXPECT_NE(emitter_fault("point", R"(<point name="position" x="1e200"/>)").find("too far out"), std::string::npos);
     EXPECT_EQ(emitter_fault("point", R"(<point name="position" x="abc"/>)"), "scene.xml:3:1: <point> x = \"abc\" is not a finite number");
 }

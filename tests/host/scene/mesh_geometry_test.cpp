@@ -74,7 +74,7 @@ TEST(MeshGeometry, AThirdTriangleOnAnEdgeIsNotClosed)
     Mesh mesh = cube_mesh();
     mesh.vertices.emplace_back(3, 3, 3);
     const auto t = mesh.triangles[0];
-    mesh.triangles.push_back({t.x, t.y, 8});
+    mesh.triangles.push_back({t.x, t.y, static_cast<unsigned>(mesh.vertices.size()) - 1});
     EXPECT_FALSE(classified(mesh).closed);
 }
 
@@ -98,7 +98,7 @@ TEST(MeshGeometry, TwoCubesAreClosedAndNotConvex)
 {
     Mesh mesh = cube_mesh(), other = cube_mesh();
     transform_mesh(other, translation(Vec3(5, 0, 0)));
-    for (const auto& t : other.triangles) mesh.triangles.push_back(t + 8u);
+    for (const auto& t : other.triangles) mesh.triangles.push_back(t + static_cast<unsigned>(mesh.vertices.size()));
     mesh.vertices.insert(mesh.vertices.end(), other.vertices.begin(), other.vertices.end());
     EXPECT_TRUE(classified(mesh).closed);
     EXPECT_FALSE(classified(mesh).convex);
@@ -128,10 +128,13 @@ TEST(MeshGeometry, FloatRoundingDoesNotMakeABoxConcave)
 TEST(MeshGeometry, UnusedVerticesDoNotCount)
 {
     Mesh mesh = cube_mesh();
+    const std::size_t used = mesh.vertices.size();
     mesh.vertices.insert(mesh.vertices.begin(), Vec3(100));
+    mesh.uvs.insert(mesh.uvs.begin(), Vec2(7));
     for (auto& t : mesh.triangles) t += 1u;
     mesh = classified(mesh);
-    EXPECT_EQ(mesh.vertices.size(), 8u);
+    EXPECT_EQ(mesh.vertices.size(), used);
+    EXPECT_EQ(mesh.uvs, cube_mesh().uvs);
     EXPECT_TRUE(mesh.convex);
 }
 

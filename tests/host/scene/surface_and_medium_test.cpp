@@ -234,9 +234,7 @@ TEST(Bsdf, WrongValuesAreSentences)
     EXPECT_NE(bsdf_fault("dielectric", R"(<float name="int_ior" value="1e9"/>)").find("must lie between .01 and 100"), std::string::npos);
     EXPECT_NE(bsdf_fault("conductor", R"(<string name="material" value="Au"/>)").find("material = \"Au\" is not supported"),
               std::string::npos);
-    EXPECT_NE(bsdf_fault("diffuse", R"(<texture name="reflectance" type="bitmap"/>)")
-                  .find("reflectance as <texture type=\"bitmap\"> is not supported"),
-              std::string::npos);
+    EXPECT_NE(bsdf_fault("conductor", R"(<texture name="eta" type="bitmap"/>)").find("eta as <texture type=\"bitmap\"> is not supported; write it as <rgb>"), std::string::npos);
     EXPECT_EQ(bsdf_fault("null", R"(<float name="opacity" value="1"/>)"),
               "scene.xml:3:1: bsdf \"null\": unknown parameter \"opacity\"; it takes none");
     EXPECT_EQ(bsdf_fault("principled"),

@@ -1,6 +1,7 @@
 #include "transport/emitter.hpp"
 
 #include "built_scene.hpp"
+#include "scene/environment_maps.hpp"
 #include "statistics.hpp"
 
 using namespace tyndall;
@@ -10,6 +11,17 @@ namespace {
 
 constexpr double half = .4;
 const Vec3 receiver_centre(.1, -.9, .2), receiver_normal(0, 1, 0);
+
+/// Colours 1 : 2 : 3, turned, with a dark texel.
+void add_sky(BuiltScene& built)
+{
+    EnvironmentMap map{.name = "sky", .width = 4, .height = 3};
+    for (const int brightness : {1, 4, 2, 7, 0, 3, 5, 2, 1, 9, 3, 0})
+        for (const int channel : {1, 2, 3}) map.texels.push_back(static_cast<float>(brightness * channel));
+    prepare_environment(map);
+    built.scene.environment_maps.push_back(map);
+    built.emitter({.type = Emitter::Type::envmap, .value = Rgb(1), .map = 0, .map_to_world = Mat3(glm::rotate(Mat4(1), 1.1, glm::normalize(Vec3(1, .4, .2))))});
+}
 
 /// A receiving square below; lights of every kind above it, one at a time.
 struct Lit {
@@ -52,6 +64,7 @@ struct Lit {
         if (kind == "directional")
             built.emitter({.type = Emitter::Type::directional, .value = {1, 2, 3}, .direction = glm::normalize(Vec3(.3, -1, .1))});
         if (kind == "constant") built.constant({1, 2, 3});
+        if (kind == "envmap") add_sky(built);
     }
 };
 
@@ -104,7 +117,7 @@ TEST_P(EmitterKind, ColourIsTheEmitters)
 
 INSTANTIATE_TEST_SUITE_P(Kinds, EmitterKind,
                          testing::Values("point", "spot", "sharp spot", "square", "box", "sphere", "ellipsoid", "disk", "cylinder",
-                                         "directional", "constant"));
+                                         "directional", "constant", "envmap"));
 
 class AreaKind : public testing::TestWithParam<const char*> {};
 
