@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "cli/animate_options.hpp"
 #include "cli/compare_options.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/explain_command.hpp"
@@ -22,6 +23,7 @@ namespace {
 /// Everything that can be asked for.
 struct Request {
     RenderCommand render;
+    AnimateCommand animate;
     ExplainCommand explain;
     CompareCommand compare;
     MergeCommand merge;
@@ -40,6 +42,7 @@ constexpr const char* examples = R"(Examples:
   tyndall compare scene.xml --times 1,6 -o page  methods at equal time, as a page to look at
   tyndall render scene.xml -p 400 --shard 3/16   a part of the passes, for another machine
   tyndall merge *.shard -o fog.exr               one image from all the parts
+  tyndall animate scene.xml --frames 0:24        a picture for every value of the scene's <default> "frame"
   tyndall info scene.xml                         what the file says
   tyndall devices                                where it can run
   tyndall bench                                  how fast that is
@@ -61,13 +64,20 @@ constexpr const char* render_examples = R"(Examples:
   tyndall render scene.xml -D density=2 --seed 7 --no-timestamps
 )";
 
+constexpr const char* animate_examples = R"(Examples:
+  tyndall animate scenes/turning_light --frames 0:24 -o turning
+  tyndall animate scene.xml --frames 0:100 --time 1m --seed-per-frame fixed
+  tyndall animate scene.xml --frames 0:24 --vary angle=0:15 --vary height=1:.25
+)";
+
 /// Help with the examples first, then usage and options.
 class ExamplesFirst : public CLI::Formatter {
 public:
     ExamplesFirst() { column_width(32); }
     std::string make_description(const CLI::App* app) const override
     {
-        const char* shown = app->get_name() == "render" ? render_examples : app->get_name() == "compare" ? compare_examples : app->get_parent() ? "" : examples;
+        const std::string name = app->get_name();
+        const char* shown = name == "render" ? render_examples : name == "compare" ? compare_examples : name == "animate" ? animate_examples : app->get_parent() ? "" : examples;
         return app->get_description() + "\n\n" + shown + (*shown ? "\n" : "");
     }
 };
@@ -80,6 +90,7 @@ void declare(CLI::App& app, Request& request)
     app.require_subcommand(1);
     auto* render = app.add_subcommand("render", "Renders a scene: EXR with layers, PNG, report");
     add_render_options(*render, request.render);
+    add_animate_options(*app.add_subcommand("animate", "Renders a frame for every value of a <default> of the scene; goes on where it was stopped"), request.animate);
     auto* explain = app.add_subcommand("explain", "Says what `render` with the same options would simulate, what not and why, with memory and time");
     add_explain_options(*explain, request.explain);
     add_compare_options(*app.add_subcommand("compare", "Sets two images, or methods at equal time, side by side"), request.compare);
@@ -148,6 +159,7 @@ int run(int argc, char** argv)
     for (int i = 1; i < argc; ++i) invocation += " " + shell_quoted(argv[i]);
     request.compare.invocation = request.bench.invocation = invocation;
     if (app.got_subcommand("render")) return run_render(request.render);
+    if (app.got_subcommand("animate")) return run_animate(std::move(request.animate));
     if (app.got_subcommand("explain")) return run_explain(request.explain);
     if (app.got_subcommand("compare")) return run_compare(request.compare);
     if (app.got_subcommand("merge")) return run_merge(request.merge);

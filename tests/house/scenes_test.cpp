@@ -30,7 +30,7 @@ TEST_P(ShippedScene, TakesItsDepthFromTheCommandLine)
     EXPECT_EQ(load_scene(file, {.definitions = {{"max_depth", "3"}}}).max_depth, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::Values("fruit_juice", "cornell_fog", "fog_and_slit", "six_vrls", "glossy_medium", "backlit_smoke", "plume", "crossing_rays", "forward_fog"),
+INSTANTIATE_TEST_SUITE_P(All, ShippedScene, testing::Values("fruit_juice", "cornell_fog", "fog_and_slit", "six_vrls", "glossy_medium", "backlit_smoke", "plume", "crossing_rays", "forward_fog", "glass_of_juice", "smoky_room", "turning_light"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(ShippedScenes, NothingBlocksAConnectionInTheFruitJuice)
