@@ -17,6 +17,8 @@ optional_packages=(libopenvdb-dev)                          # .vdb files; tests/
 test_packages=(libgtest-dev libgmock-dev librapidcheck-dev python3 python3-numpy dpkg-dev
                chromium chromium-driver)                    # the page of `tyndall compare`
 fuzz_packages=(clang)                                       # tests/fuzz: libFuzzer comes with it
+oclgrind_packages=(oclgrind)                                # tests/oclgrind.sh
+rusticl_packages=(mesa-opencl-icd)                          # tests/rusticl.sh
 
 say() { printf 'tyndall: %s\n' "$*" >&2; }
 
