@@ -34,7 +34,7 @@ TEST_P(Corpus, EveryInputIsReadOrRefused)
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, Corpus,
-                         testing::Values(Target{"scene", scene}, Target{"obj", obj}, Target{"ply", ply}, Target{"vol", vol}, Target{"vdb", vdb}, Target{"exr", exr},
+                         testing::Values(Target{"scene", scene}, Target{"obj", obj}, Target{"ply", ply}, Target{"vol", vol}, Target{"vdb", vdb}, Target{"exr", exr}, Target{"picture", picture},
                                          Target{"checkpoint", checkpoint}, Target{"shards", shards}, Target{"numbers", numbers}),
                          [](const auto& info) { return std::string(info.param.name); });
 

@@ -5,6 +5,7 @@
 #include "memory_file.hpp"
 #include "promises.hpp"
 #include "scene/mesh_files.hpp"
+#include "scene/picture_files.hpp"
 #include "scene/volume_files.hpp"
 #include "tyndall/error.hpp"
 
@@ -55,6 +56,18 @@ void vdb(Bytes bytes)
     if (bytes.empty()) return;
     const std::string name = bytes[0] % 2 ? "density" : "";
     read_volume([&] { return read_vdb(std::string(text_of(bytes.subspan(1))), name); });
+}
+
+void picture(Bytes bytes)
+{
+    try {
+        const Picture read = read_picture(text_of(bytes));
+        require(read.width >= 1 && read.height >= 1, "a picture has a pixel");
+        require(read.channels == 1 || read.channels == 3, "a picture has one channel or three");
+        require(read.values.size() == std::size_t(read.width) * std::size_t(read.height) * std::size_t(read.channels), "a picture has its pixels");
+        for (const float value : read.values) require(std::isfinite(value), "pixels are finite");
+    } catch (const PictureFault&) {
+    }
 }
 
 void exr(Bytes bytes)

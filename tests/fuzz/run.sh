@@ -7,7 +7,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../../host/cmake/install_and_build.sh"
 seconds=${1:-20}
 shift || true
 targets=("$@")
-[[ ${#targets[@]} -gt 0 ]] || targets=(scene obj ply vol vdb exr checkpoint shards numbers)
+[[ ${#targets[@]} -gt 0 ]] || targets=(scene obj ply vol vdb exr picture checkpoint shards numbers)
 fuzz_folder=$repository_root/tests/fuzz
 build_folder=$repository_root/build/fuzz
 

@@ -21,6 +21,7 @@ void ply(Bytes);
 void vol(Bytes);
 void vdb(Bytes);         ///< the first byte chooses the grid's name
 void exr(Bytes);
+void picture(Bytes);     ///< of a texture or an environment map: PNG or OpenEXR
 void checkpoint(Bytes);  ///< a state file; if the first byte is odd, the rest is content, which gets the frame and the checksum that it needs
 void shards(Bytes);      ///< two state files in one, to be merged: a little-endian 32-bit length, the first, then the second
 void numbers(Bytes);     ///< the first byte chooses an option, the rest is its value

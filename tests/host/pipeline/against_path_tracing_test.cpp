@@ -149,6 +149,15 @@ TEST(AgainstPathTracing, EnvironmentMap)
     expect_twins(t, {Layer::emitted, Layer::surface_direct, Layer::single, Layer::media_to_media, Layer::media_to_surface}, .03);
 }
 
+/// A medium behind walls of glass: connections inside of it are straight, what crosses the wall is not theirs.
+TEST(AgainstPathTracing, JuiceInAGlassBall)
+{
+    const Twins t = twins(fog + sphere({0, 0, 0}, .6, glass + side_ref("interior", "fog")) + sphere({.15, -.1, .2}, .15, diffuse(Rgb(.7))) + floor_below + lamp + view, 400, 8000);
+    EXPECT_TRUE(found(t.vrl, "SPECULAR_SURFACES"));
+    expect_twins(t, {Layer::media_to_media}, .05);
+    expect_twins(t, {Layer::media_to_surface}, .15);
+}
+
 /// Two boxes in vacuum are clipped in the kernel. A small boundary inside one of them between the medium and itself changes nothing but
 /// that the host must walk.
 TEST(DisjointMedia, ClippedInTheKernelAreAsWalkedOnTheHost)
