@@ -81,7 +81,8 @@ class Talk:
             self.run(self.program, "animate", os.path.join(ROOT, "scenes", "turning_light"), "--frames", f"0:{FRAMES}", "--seed-per-frame", "varying", "-o", folder, "--method", method, "--layer", "media_to_media",
                      "--time", f"{seconds:g}", *(["--resolution", self.size] if self.size else []))
             flicker = subprocess.run([sys.executable, "-B", os.path.join(ROOT, "bench", "flicker.py"), folder, "--layer", "media_to_media", "--json"], check=True, capture_output=True, text=True).stdout
-            rows.append({"method": method, "seconds": seconds, **json.loads(flicker)})
+            rows.append({"method": method, "seconds": seconds, "frames": FRAMES, "flicker": json.loads(flicker)["frames"]["flicker"]})
+            self.run(sys.executable, "-B", os.path.join(ROOT, "bench", "contact_sheet.py"), folder, "-o", self.path(f"animation_{method}_{seconds:g}s.png"))
         return rows
 
 
