@@ -48,6 +48,7 @@ namespace tyndall::maths_float {
 #undef ROD_ESTIMATE_H
 #undef TRANSMITTANCE_H
 #undef SURFACE_ROD_H
+#undef BLUR_H
 #undef EYE_AND_LIGHT_H
 #undef RAY_LIGHT_H
 #undef LINEAR_PIECE_H

@@ -55,10 +55,9 @@ std::string method_help()
 {
     std::string text;
     for (const Method method : all_methods()) {
-        const LightTechnique* lights = technique_of(method);
-        text += std::string(method.name()) + ": " + (lights ? std::string(lights->title) + (is_clamped(method) ? ", clamped" : "") + "; " : "path tracing of every layer (vrl)");
+        text += (text.empty() ? "" : "; ") + std::string(method.name()) + ": " + recipe_of(method).title;
     }
-    return text;
+    return text + " (vrl)";
 }
 
 /// What makes virtual lights biased, and how much.

@@ -38,7 +38,8 @@ std::vector<KernelBuild> kernel_builds(const PairProgram& program)
     std::vector<KernelBuild> builds;
     if (program.features & feature_bit::heterogeneous && program.light_is_line) builds.push_back({"tabulate_lights", own, program.features});
     if (program.features & feature_bit::heterogeneous && program.eyes == EyeKind::segments) builds.push_back({"tabulate_eyes", own, program.features});
-    if (program.features & feature_bit::occluders) builds.insert(builds.end(), {{"sample_pairs", own, program.features}, {"accumulate_pairs", build_options({.lanes = program.lanes, .clamp = program.clamp, .precision = program.precision}), 0}});
+    if (program.gathers) builds.push_back({"gather_near", own, program.features});
+    else if (program.features & feature_bit::occluders) builds.insert(builds.end(), {{"sample_pairs", own, program.features}, {"accumulate_pairs", build_options({.lanes = program.lanes, .clamp = program.clamp, .precision = program.precision}), 0}});
     else builds.push_back({"gather_lights", own, program.features});
     if (program.selection) builds.insert(builds.end(), {estimate_build(program), {"weigh_lights", build_options({.lanes = program.lanes}), 0}, {"pool_shares", build_options({.lanes = program.lanes}), 0}, {"select_lights", build_options({.lanes = program.lanes}), 0}});
     return builds;
@@ -206,7 +207,7 @@ void PairStage::recover()
         slot.mapped_packets = slot.mapped_contributions = nullptr;
         slot.packets.release(), slot.contributions.release();
     }
-    for (GrowingBuffer* buffer : {&s.eyes, &s.eye_tables, &s.standing, &s.blocks, &s.estimates, &s.ticks, &s.totals, &s.choices, &s.sums, &s.worst, &s.worst_counters}) buffer->release();
+    for (GrowingBuffer* buffer : {&s.eyes, &s.eye_tables, &s.standing, &s.blocks, &s.estimates, &s.ticks, &s.totals, &s.choices, &s.near_starts, &s.near_lights, &s.sums, &s.worst, &s.worst_counters}) buffer->release();
     s.launched.clear();
 }
 

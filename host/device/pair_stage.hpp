@@ -34,6 +34,7 @@ struct PairProgram {
     float clamp = 0;                          ///< kernels/shared/clamp.h: bound of 1 / w^2; 0: none
     int precision = 32;                       ///< bits of the numbers that pairs are evaluated with, 32 or 64
     bool fast_math = false;                   ///< the compiler may reorder and approximate
+    bool gathers = false;                     ///< eyes take from lights that come near (gather_near) instead of being connected to them
 
     /// Per eye: of what arrives and, with a clamp, of what it took away.
     std::uint32_t sums_of_eye() const { return clamp > 0 ? 2 : 1; }
@@ -137,6 +138,10 @@ public:
     /// Without occluders: adds a tile (first_light a multiple of light_block), in as many launches as the device's bound on their time asks for. Returns before it is
     /// done, but waits for the first launch of all, which tells how long pairs take.
     void gather(const PairTile& tile);
+
+    /// Of a program that gathers: adds to all eyes what they take from lights that are near. near: numbers of lights, for 16 eyes after the other; those of group i begin at starts[i] and end at
+    /// starts[i + 1]. In as many launches as the device's bound on their time asks for.
+    void gather_near(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> near);
 
     /// With occluders: so many of `pairs` may be sampled in one tile, by the time that earlier ones took.
     std::uint32_t most_sampled(std::uint32_t pairs) const;

@@ -56,6 +56,7 @@ struct PairStage::State {
     GrowingBuffer lobes{CL_MEM_READ_ONLY}, phase_values{CL_MEM_READ_ONLY}, grids{CL_MEM_READ_ONLY}, voxels{CL_MEM_READ_ONLY};
     GrowingBuffer eye_tables{CL_MEM_READ_WRITE};
     GrowingBuffer standing{CL_MEM_READ_ONLY}, blocks{CL_MEM_READ_ONLY}, estimates{CL_MEM_READ_WRITE}, powers{CL_MEM_READ_WRITE}, ticks{CL_MEM_READ_WRITE}, totals{CL_MEM_READ_WRITE}, choices{CL_MEM_READ_WRITE};
+    GrowingBuffer near_starts{CL_MEM_READ_ONLY}, near_lights{CL_MEM_READ_ONLY};
     GrowingBuffer pooled{CL_MEM_READ_WRITE}, pooled_total{CL_MEM_READ_WRITE}, drawn{CL_MEM_READ_WRITE};
     GrowingBuffer sums{CL_MEM_READ_WRITE}, ledger{CL_MEM_READ_WRITE}, worst{CL_MEM_READ_WRITE}, worst_counters{CL_MEM_READ_WRITE};
     std::array<TileSlot, 2> slots;
@@ -76,9 +77,11 @@ struct PairStage::State {
 
     void build(const KernelBuild& wanted)
     {
-        const std::string eye = program.eyes == EyeKind::segments || wanted.serves_all() ? "eye_segments" : "eye_points", light = wanted.serves_all() ? PairProgram{}.light : program.light;
-        const std::string text = flattened_kernel("kernels/stages/" + wanted.file() + ".cl",
-                                                  {{"LIGHT", "kernels/lights/" + light + ".h"}, {"EYE", "kernels/stages/" + eye + ".h"}});
+        const char* const eye_files[] = {program.gathers ? "near_segments" : "eye_segments", program.gathers ? "near_points" : "eye_points"};
+        const std::string eye = program.eyes == EyeKind::segments || wanted.serves_all() ? eye_files[0] : eye_files[1], light = wanted.serves_all() ? PairProgram{}.light : program.light;
+        const std::string text = flattened_kernel("kernels/stages/" + wanted.file() + ".cl", {{"LIGHT", "kernels/lights/" + light + ".h"},
+                                                                                              {"EYE", "kernels/stages/" + eye + ".h"},
+                                                                                              {"STAGE", program.gathers ? "kernels/stages/near_stage.h" : "kernels/stages/pair_stage.h"}});
         const cl::Program built = build_program(device, text, wanted.options);
         cl::Kernel& kernel = kernel_of(wanted.name);
         kernel = on_device(device, "creating a kernel", [&] { return cl::Kernel(built, wanted.name.c_str()); });
@@ -92,7 +95,7 @@ struct PairStage::State {
         if (name == "weigh_lights") return weigh;
         if (name == "pool_shares") return pool;
         if (name == "select_lights") return select;
-        return name == "gather_lights" ? gather : name == "accumulate_pairs" ? accumulate : sample;
+        return name == "gather_lights" || name == "gather_near" ? gather : name == "accumulate_pairs" ? accumulate : sample;
     }
 
     /// What all kernels take of media; returns the next index.

@@ -60,8 +60,7 @@ public:
     }
 
 private:
-    /// x1 and x2 are still to come.
-    bool may_scatter() const { return settings_.max_depth < 0 || depth_ + 2 <= settings_.max_depth - 1; }
+    bool may_scatter() const { return settings_.max_depth < 0 || depth_ + settings_.vertices_to_come <= settings_.max_depth - 1; }
 
     uint next_key() { return static_cast<uint>(random_.next() * 4294967296.0); }
 

@@ -15,6 +15,7 @@ struct EyeTracingSettings {
     std::uint64_t seed = 1, pass = 0;
     int samples = 1;  ///< camera samples per pixel; features are those of the first
     int max_depth = -1;
+    int vertices_to_come = 2;  ///< scattering vertices that a path has at least beyond those before the eye: x1 and x2; where light is gathered x1 alone
     bool segments = true, points = true;  ///< which of them are wanted
     const StopFlag* stop = nullptr;  ///< raised: Stopped is thrown
 };

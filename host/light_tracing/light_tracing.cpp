@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "transport/bsdf.hpp"
@@ -20,6 +21,24 @@ constexpr std::uint64_t pilot_paths = 4096;
 constexpr int roulette_depth = 6;             ///< scattering vertices before Russian roulette begins
 constexpr double most_survival = .95;         ///< even where nothing is absorbed, so that every path ends
 
+/// What a light path met last: it decides which layer the light belongs to that eyes take from it.
+class LightHistory {
+public:
+    void scatter_in_medium() { met_ = Met::medium, specular_ = false; }
+    void scatter_at_surface(bool delta) { delta ? void(specular_ = true) : void((met_ = Met::surface, specular_ = false)); }
+    /// By x1 = a place in a medium, or on a surface.
+    Layer layer(bool on_surface) const
+    {
+        static constexpr Layer layers[3][2] = {{Layer::single, Layer::surface_direct}, {Layer::surface_to_media, Layer::surface_indirect}, {Layer::media_to_media, Layer::media_to_surface}};
+        const Layer straight = layers[static_cast<std::size_t>(met_)][on_surface];
+        return specular_ ? specular(straight) : straight;
+    }
+
+private:
+    enum class Met { light, surface, medium } met_ = Met::light;
+    bool specular_ = false;  ///< a mirror or glass since then
+};
+
 /// One light path, from its emitter until it is absorbed or leaves the scene.
 class LightPath {
 public:
@@ -35,14 +54,16 @@ public:
         reference_ = largest(throughput_);
     }
 
-    template <typename Deposit>
-    void trace(const Deposit& deposit)
+    /// deposit(segment, layer) for every piece in a medium; arrive(arrival, layer) where it meets a surface that reflects diffusely.
+    template <typename Deposit, typename Arrive>
+    void trace(const Deposit& deposit, const Arrive& arrive)
     {
         while (largest(throughput_) > 0 && may_leave_lights()) {
             const RayWalk walk = visibility_.walk(ray_, medium_);
             const Vec2 xi = random_.next2();
             const FreeFlight flight = sample_free_flight(scene_, walk, throughput_, xi);
             leave_segments(walk, flight, deposit);
+            if (!flight.collided && walk.found) leave_arrival(walk, flight, arrive);
             if (settings_.light_segments == LightSegments::first) return;
             const bool goes_on = flight.collided ? scatter_in_medium(walk, flight) : scatter_at_surface(walk, flight);
             if (!goes_on || !survives()) return;
@@ -50,8 +71,8 @@ public:
     }
 
 private:
-    /// A light at depth d makes paths of at least d + 2 scattering vertices.
-    bool may_leave_lights() const { return settings_.max_depth < 0 || depth_ + 2 <= settings_.max_depth - 1; }
+    /// A light at depth d makes paths of at least d + vertices_to_come scattering vertices.
+    bool may_leave_lights() const { return settings_.max_depth < 0 || depth_ + settings_.vertices_to_come <= settings_.max_depth - 1; }
 
     template <typename Deposit>
     void leave_segments(const RayWalk& walk, const FreeFlight& flight, const Deposit& deposit)
@@ -71,11 +92,22 @@ private:
                 const bool collides = flight.collided && flight.piece == i;
                 deposit(LightPathSegment{.origin = ray_.origin + lit.start * ray_.direction, .direction = ray_.direction, .length = lit.length, .medium = piece.medium,
                                          .flux = flux, .depth = depth_, .is_short = is_short, .channel = is_short ? share * before : Rgb(0),
-                                         .collision = collides ? std::max(flight.t - lit.start, 0.0) : -1, .radius = settings_.radius, .scattered = collides ? throughput_ * flight.weight : Rgb(0)});
+                                         .collision = collides ? std::max(flight.t - lit.start, 0.0) : -1, .radius = settings_.radius, .scattered = collides ? throughput_ * flight.weight : Rgb(0)}, history_.layer(false));
             }
             if (ends_here) return;
             before *= glm::exp(-lit.whole);
         }
+    }
+
+    template <typename Arrive>
+    void leave_arrival(const RayWalk& walk, const FreeFlight& flight, const Arrive& arrive)
+    {
+        const Rgb flux = throughput_ * flight.weight;
+        if (!(largest(flux) > 0) || !parts_at(scene_, {.hit = walk.surface, .in = ray_.direction}).lambertian) return;
+        const double side = glm::dot(walk.surface.geometric_normal, ray_.direction) < 0 ? 1 : -1;
+        arrive(LightPathArrival{.position = walk.surface.position, .direction = ray_.direction, .facing = side * walk.surface.geometric_normal, .flux = flux, .depth = depth_,
+                                .radius = settings_.radius},
+               history_.layer(true));
     }
 
     bool scatter_in_medium(const RayWalk& walk, const FreeFlight& flight)
@@ -84,7 +116,7 @@ private:
         throughput_ *= flight.weight;
         const PhaseSample next = sample_phase(scene_.media[static_cast<std::size_t>(medium_)].phase, ray_.direction, random_.next2());
         ray_ = {.origin = ray_.origin + flight.t * ray_.direction, .direction = next.direction};
-        ++depth_;
+        ++depth_, history_.scatter_in_medium();
         return true;
     }
 
@@ -95,7 +127,7 @@ private:
         throughput_ *= flight.weight * next.weight;
         medium_ = visibility_.medium_behind(walk.surface, next.direction, walk.medium);
         ray_ = {.origin = visibility_.leave(walk.surface, next.direction), .direction = next.direction};
-        ++depth_;
+        ++depth_, history_.scatter_at_surface(next.delta);
         return largest(throughput_) > 0;
     }
 
@@ -117,11 +149,12 @@ private:
     int medium_ = vacuum, depth_ = 0;
     Rgb throughput_{0};
     double reference_ = 0;
+    LightHistory history_;
 };
 
-/// Calls deposit(chunk, segment) for every segment of every path; chunks run in parallel.
-template <typename Deposit>
-void for_each_segment(const Scene& scene, const Visibility& visibility, const LightTracingSettings& settings, const Deposit& deposit)
+/// Calls deposit(chunk, segment, layer) for every piece of every path and arrive(chunk, arrival, layer); chunks run in parallel.
+template <typename Deposit, typename Arrive>
+void for_each_path(const Scene& scene, const Visibility& visibility, const LightTracingSettings& settings, const Deposit& deposit, const Arrive& arrive)
 {
     const EmitterSampler emitters(scene);
     if (emitters.empty()) return;
@@ -129,26 +162,58 @@ void for_each_segment(const Scene& scene, const Visibility& visibility, const Li
     tbb::parallel_for(std::uint64_t(0), chunks, [&](std::uint64_t chunk) {
         throw_if_raised(settings.stop);
         for (std::uint64_t path = chunk * chunk_paths; path < std::min((chunk + 1) * chunk_paths, settings.paths); ++path)
-            LightPath(scene, visibility, emitters, settings, path).trace([&](const LightPathSegment& segment) { deposit(chunk, segment); });
+            LightPath(scene, visibility, emitters, settings, path)
+                .trace([&](const LightPathSegment& segment, Layer layer) { deposit(chunk, segment, layer); }, [&](const LightPathArrival& arrival, Layer layer) { arrive(chunk, arrival, layer); });
     });
 }
 
 }  // namespace
 
-VirtualLights trace_lights(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, const LightTracingSettings& settings)
+/// Records of all chunks, in order.
+static VirtualLights joined(const std::vector<std::vector<std::byte>>& chunks, const LightTechnique& technique)
 {
-    std::vector<std::vector<std::byte>> chunks((settings.paths + chunk_paths - 1) / chunk_paths);
-    for_each_segment(scene, visibility, settings, [&](std::uint64_t chunk, const LightPathSegment& segment) { technique.deposit(segment, chunks[chunk]); });
     VirtualLights lights;
     for (const auto& chunk : chunks) lights.records.insert(lights.records.end(), chunk.begin(), chunk.end());
     lights.count = static_cast<std::uint32_t>(lights.records.size() / technique.record_bytes);
     return lights;
 }
 
-std::uint64_t paths_for(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, LightTracingSettings settings, std::uint32_t lights)
+VirtualLights trace_lights(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, const LightTracingSettings& settings)
+{
+    std::vector<std::vector<std::byte>> chunks((settings.paths + chunk_paths - 1) / chunk_paths);
+    for_each_path(scene, visibility, settings, [&](std::uint64_t chunk, const LightPathSegment& segment, Layer) { technique.deposit(segment, chunks[chunk]); },
+                  [](std::uint64_t, const LightPathArrival&, Layer) {});
+    return joined(chunks, technique);
+}
+
+std::vector<GatheredLights> trace_gathered_lights(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, const LightTracingSettings& settings, const LayerSet& layers)
+{
+    using Chunks = std::vector<std::vector<std::byte>>;
+    std::array<Chunks, layer_count> by_layer;
+    for (std::size_t l = 0; l < layer_count; ++l)
+        if (layers.contains(static_cast<Layer>(l))) by_layer[l].resize((settings.paths + chunk_paths - 1) / chunk_paths);
+    const auto chunk_of = [&](std::uint64_t chunk, Layer layer) { return layers.contains(layer) ? &by_layer[static_cast<std::size_t>(layer)][chunk] : nullptr; };
+    for_each_path(scene, visibility, settings,
+                  [&](std::uint64_t chunk, const LightPathSegment& segment, Layer layer) {
+                      if (auto* records = chunk_of(chunk, layer); records && technique.deposit) technique.deposit(segment, *records);
+                  },
+                  [&](std::uint64_t chunk, const LightPathArrival& arrival, Layer layer) {
+                      if (auto* records = chunk_of(chunk, layer); records && technique.arrive) technique.arrive(arrival, *records);
+                  });
+    std::vector<GatheredLights> all;
+    for (std::size_t l = 0; l < layer_count; ++l)
+        if (layers.contains(static_cast<Layer>(l))) all.push_back({static_cast<Layer>(l), joined(by_layer[l], technique)});
+    return all;
+}
+
+std::uint64_t paths_for(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, LightTracingSettings settings, std::uint32_t lights, const LayerSet& layers)
 {
     settings.pilot = true, settings.even = false, settings.pass = 0, settings.paths = pilot_paths;
-    const double per_path = double(trace_lights(scene, visibility, technique, settings).count) / double(pilot_paths);
+    double left = 0;
+    if (!technique.gathered()) left = trace_lights(scene, visibility, technique, settings).count;
+    else
+        for (const GatheredLights& each : trace_gathered_lights(scene, visibility, technique, settings, layers)) left += each.lights.count;
+    const double per_path = left / double(pilot_paths);
     if (per_path == 0) return pilot_paths;  // no light reached a medium in the pilot: look harder than the wish
     return static_cast<std::uint64_t>(std::max(std::round(lights / per_path), 1.0));
 }

@@ -19,6 +19,7 @@ struct LightTracingSettings {
     bool even = true;                  ///< their first numbers are scrambled Sobol points; false: independent
     bool pilot = false;                ///< count only, from numbers of its own
     double radius = 0;                 ///< of thick lights in this pass, in render space
+    int vertices_to_come = 2;          ///< that a path has at least beyond those before the light: at the light and at the eye; where light is gathered they are one
     const StopFlag* stop = nullptr;    ///< raised: Stopped is thrown
 };
 
@@ -30,7 +31,17 @@ struct VirtualLights {
 /// Traces the paths and deposits their segments. The result does not depend on the number of threads.
 VirtualLights trace_lights(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, const LightTracingSettings& settings);
 
-/// How many paths leave about `lights` virtual lights in a pass: from a pilot of its own, the same for every pass. At least 1.
-std::uint64_t paths_for(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, LightTracingSettings settings, std::uint32_t lights);
+/// What eyes take from when it comes near, by the layer that it adds to.
+struct GatheredLights {
+    Layer layer;
+    VirtualLights lights;
+};
+
+/// The same for density estimation: records for each of `layers`, in order. Which of them a piece of a path or an arrival belongs to follows from what the path met before.
+std::vector<GatheredLights> trace_gathered_lights(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, const LightTracingSettings& settings, const LayerSet& layers);
+
+/// How many paths leave about `lights` virtual lights in a pass, of `layers` if they are gathered: from a pilot of its own, the same for every pass. At least 1.
+std::uint64_t paths_for(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, LightTracingSettings settings, std::uint32_t lights,
+                        const LayerSet& layers = LayerSet::all());
 
 }  // namespace tyndall

@@ -7,6 +7,7 @@
 
 #include "scene/scene.hpp"
 #include "tyndall/settings.hpp"
+#include "visibility/near_search.hpp"
 
 namespace tyndall {
 
@@ -24,6 +25,18 @@ struct LightPathSegment {
     Rgb scattered;            ///< power that it takes on from there: flux x transmittance x sigma_s / density of the collision; 0 without one
 };
 
+/// A light path that arrives at a surface that reflects diffusely.
+struct LightPathArrival {
+    Vec3 position, direction;  ///< direction: unit, of travel
+    Vec3 facing;               ///< geometric normal of the side at which it arrives, unit
+    Rgb flux;                  ///< power that it brings / number of paths
+    int depth;                 ///< scattering vertices before this one
+    double radius;             ///< as a piece's
+};
+
+/// What a kind of light is to eyes: they are connected to it, or they take from those that come near. The latter are eye segments in media or eye points on surfaces.
+enum class Reach { connected, near_segments, near_points };
+
 struct LightTechnique {
     std::string_view method;   ///< as --method calls it
     std::string_view clamped_method;  ///< as it calls the same lights with bounded connections; empty: there are none
@@ -33,15 +46,45 @@ struct LightTechnique {
     bool is_line;              ///< LIGHT_IS_LINE of its kernels: it shines from everywhere along a segment, and --short means something
     bool is_thick;             ///< its records have a radius, which falls from pass to pass
     bool unbiased;             ///< unless clamped
-    std::string_view surface_sampler, surface_sampler_why;  ///< how a surface point's place on it is drawn, and why so
+    std::string_view surface_sampler = {}, surface_sampler_why = {};  ///< how a surface point's place on it is drawn, and why so
     /// Appends the records that a segment leaves.
-    void (*deposit)(const LightPathSegment& segment, std::vector<std::byte>& records);
+    void (*deposit)(const LightPathSegment& segment, std::vector<std::byte>& records) = nullptr;
+
+    // Kinds that eyes take from when they come near: density estimation.
+    Reach reach = Reach::connected;
+    LayerSet carries = {};            ///< layers that they can carry
+    int blur_dimensions = 1;          ///< of the kernel: its radius to this power falls as eq. 64
+    double usual_radius = .05;        ///< in the first pass, of the scene's half diagonal
+    std::uint32_t usual_lights = 0;   ///< per pass
+    /// Appends the records that an arrival leaves.
+    void (*arrive)(const LightPathArrival& arrival, std::vector<std::byte>& records) = nullptr;
+    /// Where a record can be met.
+    Capsule (*capsule)(std::span<const std::byte> record) = nullptr;
+
+    bool gathered() const { return reach != Reach::connected; }
 };
 
 /// All kinds, from the registry that CMake makes of the files in kernels/lights.
 std::span<const LightTechnique> light_techniques();
 
-/// The technique that carries what media scatter by that method; null for path tracing. Throws UsageError for a method that no technique has.
+/// Layers that a technique carries by some method.
+struct Gathered {
+    const LightTechnique* technique;
+    LayerSet layers;
+};
+
+/// Which techniques a method is made of: one line for each layer that is not left to straight connections of other kinds and to path tracing.
+struct Recipe {
+    const LightTechnique* connected = nullptr;  ///< lights that carry media_to_media and media_to_surface
+    bool clamped = false;                       ///< with bounded connections
+    std::vector<Gathered> gathered{};           ///< by density estimation
+    std::string title{};                        ///< for people, in the plural
+};
+
+/// Throws UsageError for a method that there is not. Path tracing is made of nothing.
+Recipe recipe_of(Method method);
+
+/// The technique whose lights the method connects to eyes; null if it has none. Throws UsageError for a method that there is not.
 const LightTechnique* technique_of(Method method);
 
 /// Does the method bound the connections of its lights?
@@ -51,6 +94,10 @@ bool is_clamped(Method method);
 bool is_thick(Method method);
 
 inline bool uses_virtual_lights(Method method) { return technique_of(method) != nullptr; }
+/// Does it trace paths from the lights at all?
+inline bool uses_light_paths(Method method) { return method != Method::path; }
+/// Do some of its lights have a radius?
+bool is_thick(Method method);
 
 /// Every value of --method: the default first, path tracing last.
 std::vector<Method> all_methods();

@@ -17,7 +17,7 @@ struct PathTracingSettings {
     std::uint64_t seed = 1, pass = 0;
     int max_depth = -1;  ///< at most max_depth - 1 scattering vertices; -1: no limit
     LayerSet layers;     ///< what to compute; paths that cannot reach any of them are ended
-    bool glossy_only = false;  ///< media_to_surface: only where x1 is a surface that virtual lights do not connect to (SurfaceParts::lambertian)
+    LayerSet glossy_only;  ///< of these: only where x1 is a surface that other techniques do not know (SurfaceParts::lambertian)
     const StopFlag* stop = nullptr;  ///< raised: Stopped is thrown
 };
 

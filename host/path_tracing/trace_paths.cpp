@@ -63,9 +63,8 @@ private:
     bool may_scatter() const { return shared_.settings.max_depth < 0 || vertices_ < shared_.settings.max_depth - 1; }
     LayerSet wanted() const
     {
-        LayerSet layers = shared_.settings.layers;
-        if (shared_.settings.glossy_only && track_.scattered() && !begins_glossy_) layers.remove(Layer::media_to_surface);
-        return layers;
+        const LayerSet& layers = shared_.settings.layers;
+        return track_.scattered() && !begins_glossy_ ? layers.without(shared_.settings.glossy_only) : layers;
     }
     bool wants(Layer layer) const { return wanted().contains(layer); }
     bool wants_more() const { return !(track_.reachable() & wanted()).empty(); }

@@ -66,6 +66,21 @@ PairProgram pair_program(const LayerPlan& plan, const RenderSettings& settings, 
             .fast_math = settings.math == KernelMath::fast};
 }
 
+PairProgram gather_program(const GatherPlan& gather, const BuildMasks& masks, int lanes)
+{
+    const LightTechnique& technique = *gather.technique;
+    const bool segments = technique.reach == Reach::near_segments;
+    // Nothing stands between and no boundary is crossed; at surfaces no medium is asked.
+    const std::uint32_t never = feature_bit::occluders | feature_bit::boundaries | feature_bit::nonconvex_media, all = masks.media_to_media | masks.media_to_surface;
+    return {.light = std::string(technique.name),
+            .light_bytes = static_cast<std::uint32_t>(technique.record_bytes),
+            .light_is_line = technique.is_line,
+            .eyes = segments ? EyeKind::segments : EyeKind::points,
+            .features = segments ? all & ~never : all & feature_bit::depth_limit,
+            .lanes = lanes,
+            .gathers = true};
+}
+
 std::uint32_t case_families(const LayerPlan& plan, const RenderSettings& settings, const BuildMasks& masks)
 {
     constexpr std::uint32_t plain = 1, products = 2, marginals = 4, lobes = 8, grids = 16;

@@ -31,11 +31,11 @@ PairCounts expected_pairs(const Explanation& e, const RenderSettings& settings, 
     return {.to_segments = pairs, .to_points = pairs, .pixels = pixels, .lights_per_pass = double(lights)};
 }
 
-void add_warnings(const Scene& scene, const RenderSettings& settings, Explanation& e)
+void add_warnings(const Scene& scene, const RenderSettings& settings, const LayerPlan& plan, Explanation& e)
 {
     e.warnings = scene.warnings;
     const auto add = [&](const std::vector<std::string>& more) { e.warnings.insert(e.warnings.end(), more.begin(), more.end()); };
-    add(uncarried_light(scene));
+    if (plan.paths_seek_lights()) add(uncarried_light(scene));
     if (const auto doubt = doubt_about_math(settings); !doubt.empty()) add({doubt});
     add(doubts_about(scene, settings, Visibility(scene, settings.threads)));
 }
@@ -60,16 +60,17 @@ Explanation explain(const Scene& scene, const RenderSettings& settings)
     const std::uint32_t lights = selection.lights;
     Explanation e{.scene = scene.file, .method = std::string(name(settings.method))};
     e.width = scene.camera.crop_width, e.height = scene.camera.crop_height, e.passes = settings.passes, e.seconds = settings.seconds;
-    e.lanes = plan.virtual_lights() ? settings.lanes ? settings.lanes : 16 : 0, e.lights = plan.virtual_lights() ? lights : 0;
+    e.lanes = plan.on_device() ? settings.lanes ? settings.lanes : 16 : 0, e.lights = plan.virtual_lights() ? lights : plan.gathers.empty() ? 0 : plan.gathers.front().lights;
     e.lanes_from = lanes_from(settings);
     e.effects = effect_reports(features), e.layers = plan.reports;
     if (plan.media_to_media) add_kernels("media_to_media", pair_program(plan, settings, EyeKind::segments, masks, e.lanes), e.kernels);
     if (plan.media_to_surface) add_kernels("media_to_surface", pair_program(plan, settings, EyeKind::points, masks, e.lanes), e.kernels);
+    for (const GatherPlan& gather : plan.gathers) add_kernels(std::string(gather.technique->title), gather_program(gather, masks, e.lanes), e.kernels);
     if (plan.virtual_lights()) e.selection = to_text(selection);
     e.grids = grid_transmittance(settings, plan, masks);
     e.memory = estimate_memory(scene, settings, plan, masks);
     e.savings = savings_of(features, plan, masks, expected_pairs(e, settings, plan.technique ? selection.slots : 0));
-    add_warnings(scene, settings, e);
+    add_warnings(scene, settings, plan, e);
     return e;
 }
 

@@ -40,43 +40,68 @@ void skip_if_thin(const Scene& scene, double allowed, LayerReport& report)
 /// How a layer is rendered, and why so.
 struct Carrier { std::string name, why; };
 
-Carrier carrier_of(Layer layer, const LightTechnique* lights)
+/// The technique that gathers the layer; null if none does.
+const LightTechnique* gatherer_of(Layer layer, const Recipe& recipe)
 {
-    if (!lights) return {"path tracing", "--method path"};
-    const std::string title(lights->title);
+    for (const Gathered& g : recipe.gathered)
+        if (g.layers.contains(layer)) return g.technique;
+    return nullptr;
+}
+
+/// "photon beams and photons".
+std::string titles_of(const Recipe& recipe)
+{
+    std::string titles = recipe.connected ? std::string(recipe.connected->title) : "";
+    for (const Gathered& g : recipe.gathered) titles += (titles.empty() ? "" : " and ") + std::string(g.technique->title);
+    return titles;
+}
+
+Carrier carrier_of(Layer layer, const Recipe& recipe)
+{
+    if (const LightTechnique* gathered = gatherer_of(layer, recipe))
+        return {std::string(gathered->title), gathered->reach == Reach::near_points ? "light paths that arrive near: density estimation" : "light paths that pass near: density estimation"};
+    const std::string title = titles_of(recipe);
+    if (title.empty()) return {"path tracing", "--method path"};
     switch (layer) {
         case Layer::emitted: return {"camera ray", "the camera's own path meets the light"};
         case Layer::surface_direct: return {"next-event estimation", "straight lines from surfaces to lights"};
         case Layer::surface_indirect: return {"path tracing", title + " lie in media only"};
         case Layer::single: return {"equi-angular light sampling", "straight lines from media to lights"};
-        case Layer::surface_to_media: return {"path tracing", title + " carry light that a medium has scattered"};
+        case Layer::surface_to_media: return {"path tracing", title + (recipe.connected ? " carry light that a medium has scattered" : " do not carry it")};
         case Layer::media_to_media:
-        case Layer::media_to_surface: return {title, "light that a medium has scattered, on straight lines"};
-        default: return {"path tracing", "connections by straight lines do not pass mirrors and glass"};
+        case Layer::media_to_surface:
+            if (!recipe.connected) return {"path tracing", title + " do not carry it"};
+            return {std::string(recipe.connected->title), "light that a medium has scattered, on straight lines"};
+        default: return {"path tracing", recipe.connected ? "connections by straight lines do not pass mirrors and glass" : title + " do not carry it"};
     }
 }
 
-/// Virtual lights carry media_to_surface to diffuse surfaces, paths to all others.
-void plan_media_to_surface(const SceneFeatures& features, LayerPlan& plan)
+constexpr const char* where_no_lobes_are_known = "plastic, rough metal and rough glass, where the kernels know no lobes";
+
+/// Lights of the kernels carry it to diffuse surfaces, paths to all others.
+void share_with_paths(Layer layer, const SceneFeatures& features, bool diffuse, LayerPlan& plan)
 {
-    plan.media_to_surface = features.surfaces_in_reach, plan.glossy_by_paths = features.glossy_surfaces;
     if (!features.glossy_surfaces) return;
-    plan.path_traced.add(Layer::media_to_surface);
+    plan.path_traced.add(layer), plan.glossy_by_paths.add(layer);
     LayerReport& report = plan.reports.back();
-    const std::string lights(plan.technique->title);
-    report.technique = plan.media_to_surface ? lights + ", path tracing" : "path tracing";
-    report.why = plan.media_to_surface ? lights + " to diffuse surfaces; paths to plastic, rough metal and rough glass, where the kernels know no lobes"
-                                       : "the surfaces are plastic, rough metal or rough glass, where the kernels know no lobes";
+    const std::string lights = report.technique;
+    report.technique = diffuse ? lights + ", path tracing" : "path tracing";
+    report.why = diffuse ? lights + " to diffuse surfaces; paths to " + where_no_lobes_are_known : std::string("the surfaces are ") + where_no_lobes_are_known;
 }
 
 constexpr double usual_clamp = 100, usual_radius = .05;  ///< connections shorter than a tenth, beams of a twentieth of the scene's half diagonal
 
-/// What makes the lights biased, in words, and its numbers in the plan.
-std::string plan_bias(const Scene& scene, const RenderSettings& settings, LayerPlan& plan)
+std::string radius_text(std::string_view lights, double radius, int dimensions)
+{
+    return fmt::format("{} have a radius of {:.3g} of the scene's half diagonal in the first pass, which falls as the {} root of the pass", lights, radius, dimensions == 1 ? "cube" : "sixth");
+}
+
+/// What makes the connected lights biased, in words, and its numbers in the plan.
+std::string plan_bias(const Scene& scene, const RenderSettings& settings, const Recipe& recipe, LayerPlan& plan)
 {
     if (!plan.technique) return {};
     const double size = bounds_of(scene).radius();
-    if (is_clamped(settings.method)) {
+    if (recipe.clamped) {
         const double clamp = settings.clamp.value_or(usual_clamp);
         plan.clamp = size > 0 ? clamp / (size * size) : clamp;
         return fmt::format("1/w^2 of a connection is at most {:g} over the square of the scene's half diagonal: light over less than {:.3g} of it is dimmed", clamp, 1 / std::sqrt(clamp));
@@ -84,7 +109,17 @@ std::string plan_bias(const Scene& scene, const RenderSettings& settings, LayerP
     if (!plan.technique->is_thick) return {};
     const double radius = settings.beam_radius.value_or(usual_radius);
     plan.radius = size > 0 ? radius * size : radius;
-    return fmt::format("beams have a radius of {:.3g} of the scene's half diagonal in the first pass, which falls as the cube root of the pass", radius);
+    return radius_text("beams", radius, 1);
+}
+
+/// Density estimation of a layer: its lights are those of the other layers of the technique.
+void plan_gathered(Layer layer, const LightTechnique& technique, const Scene& scene, const RenderSettings& settings, LayerPlan& plan)
+{
+    const double share = settings.beam_radius.value_or(technique.usual_radius), size = bounds_of(scene).radius();
+    auto found = std::find_if(plan.gathers.begin(), plan.gathers.end(), [&](const GatherPlan& g) { return g.technique == &technique; });
+    if (found == plan.gathers.end()) found = plan.gathers.insert(found, {&technique, {}, size > 0 ? share * size : share, settings.lights ? settings.lights : technique.usual_lights});
+    found->layers.add(layer);
+    plan.reports.back().unbiased = false, plan.reports.back().bias = radius_text(technique.title, share, technique.blur_dimensions);
 }
 
 /// How places are drawn in a layer of virtual lights.
@@ -103,25 +138,54 @@ LayerSet LayerPlan::rendered() const
     if (media_to_media) set.add(Layer::media_to_media);
     if (media_to_surface) set.add(Layer::media_to_surface);
     if (single) set.add(Layer::single);
+    for (const GatherPlan& gather : gathers) set = set | gather.layers;
     return set;
 }
 
+bool LayerPlan::gathers_at(Reach reach) const
+{
+    return std::any_of(gathers.begin(), gathers.end(), [&](const GatherPlan& g) { return g.technique->reach == reach; });
+}
+
+bool LayerPlan::paths_seek_lights() const { return !path_traced.without(LayerSet().add(Layer::emitted).add(Layer::surface_direct)).empty(); }
+
 SceneFeatures features_for(const Scene& scene, const RenderSettings& settings)
 {
-    const LightTechnique* lights = technique_of(settings.method);
-    return features_of(scene, lights && lights->is_line && settings.segment_length == SegmentLength::short_, settings.max_depth.value_or(scene.max_depth));
+    const Recipe recipe = recipe_of(settings.method);
+    const bool gathered_lines = std::any_of(recipe.gathered.begin(), recipe.gathered.end(), [](const Gathered& g) { return g.technique->is_line; });
+    return features_of(scene, ((recipe.connected && recipe.connected->is_line) || gathered_lines) && settings.segment_length == SegmentLength::short_, settings.max_depth.value_or(scene.max_depth));
+}
+
+/// Who renders a layer that the scene has.
+static void plan_layer(Layer layer, const Recipe& recipe, const Scene& scene, const SceneFeatures& features, const RenderSettings& settings, LayerPlan& plan)
+{
+    if (const LightTechnique* gathered = gatherer_of(layer, recipe)) {
+        plan_gathered(layer, *gathered, scene, settings, plan);
+        if (gathered->reach == Reach::near_points) share_with_paths(layer, features, true, plan);
+    } else if (recipe.connected && layer == Layer::media_to_media) {
+        plan.media_to_media = true;
+    } else if (recipe.connected && layer == Layer::media_to_surface) {
+        plan.media_to_surface = features.surfaces_in_reach;
+        share_with_paths(layer, features, features.surfaces_in_reach, plan);
+    } else if (layer == Layer::single && !titles_of(recipe).empty()) {
+        plan.single = true;
+    } else {
+        plan.path_traced.add(layer);
+    }
 }
 
 LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const RenderSettings& settings)
 {
     const ChosenSampler chosen = choose_sampler(scene, features, settings.sampler);
-    LayerPlan plan{.technique = technique_of(settings.method), .selection = plan_selection(settings, scene.camera), .sampler = chosen.sampler};
-    const std::string bias = plan_bias(scene, settings, plan);
+    const Recipe recipe = recipe_of(settings.method), paths = recipe_of(Method::path);
+    LayerPlan plan{.technique = recipe.connected, .selection = plan_selection(settings, scene.camera), .sampler = chosen.sampler};
+    const std::string bias = plan_bias(scene, settings, recipe, plan);
     for (std::size_t l = 0; l < layer_count; ++l) {
         const Layer layer = static_cast<Layer>(l);
-        const LightTechnique* lights = settings.path_layers.contains(layer) ? nullptr : plan.technique;
-        Carrier carrier = carrier_of(layer, lights);
-        if (lights != plan.technique) carrier.why = fmt::format("--layer {}=path", name(layer));
+        const bool asked_for_paths = settings.path_layers.contains(layer);
+        const Recipe& used = asked_for_paths ? paths : recipe;
+        Carrier carrier = carrier_of(layer, used);
+        if (asked_for_paths && settings.method != Method::path) carrier.why = fmt::format("--layer {}=path", name(layer));
         LayerReport report{.layer = std::string(name(layer)), .technique = carrier.name};
         report.why = settings.layers.contains(layer) ? missing_for(layer, scene, features) : "turned off";
         if (report.why.empty() && layer == Layer::media_to_surface && !features.surfaces_in_reach && !features.glossy_surfaces)  // by straight lines; the sub-layer's go round by mirrors
@@ -132,13 +196,10 @@ LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const R
         else report.why = carrier.why;
         plan.reports.push_back(report);
         if (report.skipped) continue;
-        if (lights && (layer != Layer::media_to_surface || features.surfaces_in_reach)) name_sampler(layer, *lights, chosen, plan.reports.back());
-        if (lights && (layer == Layer::media_to_media || (layer == Layer::media_to_surface && features.surfaces_in_reach)))
-            plan.reports.back().unbiased = bias.empty(), plan.reports.back().bias = bias;
-        if (lights && layer == Layer::media_to_media) plan.media_to_media = true;
-        else if (lights && layer == Layer::media_to_surface) plan_media_to_surface(features, plan);
-        else if (lights && layer == Layer::single) plan.single = true;
-        else plan.path_traced.add(layer);
+        const bool connected = used.connected && !gatherer_of(layer, used) && (layer == Layer::media_to_media || (layer == Layer::media_to_surface && features.surfaces_in_reach));
+        if (connected) name_sampler(layer, *used.connected, chosen, plan.reports.back());
+        if (connected) plan.reports.back().unbiased = bias.empty(), plan.reports.back().bias = bias;
+        plan_layer(layer, used, scene, features, settings, plan);
     }
     return plan;
 }

@@ -1,5 +1,6 @@
 #pragma once
 /// Who carries which layer: the choice of techniques for a scene, and why layers are skipped.
+#include <cstdint>
 #include <vector>
 
 #include "lights/light_technique.hpp"
@@ -10,20 +11,34 @@
 
 namespace tyndall {
 
+/// Layers by density estimation, with one kind of light.
+struct GatherPlan {
+    const LightTechnique* technique = nullptr;
+    LayerSet layers;
+    double radius = 0;         ///< in the first pass, in render space
+    std::uint32_t lights = 0;  ///< per pass, aimed at, over all its layers
+};
+
 struct LayerPlan {
-    const LightTechnique* technique = nullptr;              ///< of the virtual lights; null: path tracing
+    const LightTechnique* technique = nullptr;              ///< of the virtual lights that eyes are connected to; null: there are none
     double clamp = 0;                                       ///< bound of a connection's 1 / w^2 in render space; 0: none
     double radius = 0;                                      ///< of thick lights in the first pass, in render space
     bool media_to_media = false, media_to_surface = false;  ///< by virtual lights
     bool single = false;                                    ///< by equi-angular light sampling
     LayerSet path_traced;                                   ///< by the path tracer
-    bool glossy_by_paths = false;                           ///< media_to_surface is in path_traced only where virtual lights do not connect: at glossy surfaces
+    LayerSet glossy_by_paths;                               ///< those are in path_traced only where other techniques know no lobes: at glossy surfaces
+    std::vector<GatherPlan> gathers;                        ///< by density estimation; each has a layer
     SelectionPlan selection;                                ///< how many virtual lights, and which of them eyes connect to
     int sampler = 0;                                        ///< of media_to_media: kernels/shared/samplers.h
     std::vector<LayerReport> reports;                       ///< one per layer, in order
 
     LayerSet rendered() const;
     bool virtual_lights() const { return media_to_media || media_to_surface; }
+    bool on_device() const { return virtual_lights() || !gathers.empty(); }
+    /// Do eyes of that kind take from lights that come near?
+    bool gathers_at(Reach reach) const;
+    /// Is some light, after scattering or mirrors, left to path tracing, whose paths do not find lights without size behind mirrors and glass?
+    bool paths_seek_lights() const;
 };
 
 /// Of the scene with the settings' depth and length of lights.

@@ -23,6 +23,8 @@
 namespace tyndall {
 namespace {
 
+std::uint32_t vertex_limit(int max_depth) { return max_depth < 0 ? 0xffffffffu : static_cast<std::uint32_t>(std::max(max_depth - 1, 0)); }
+
 int lanes_of(const RenderSettings& settings, const Device& device) { return settings.lanes ? settings.lanes : device.info().default_lanes; }
 
 }  // namespace
@@ -56,7 +58,7 @@ PassRenderer::PassRenderer(const Scene& scene, const RenderSettings& settings, c
       masks_(unchecked ? *unchecked : build_masks(features_, plan_, settings.features)),
       visibility_(scene, settings.threads)
 {
-    if (plan_.virtual_lights()) prepare_lights();
+    if (plan_.on_device()) prepare_lights();
 }
 
 void PassRenderer::prepare_lights()
@@ -74,13 +76,25 @@ void PassRenderer::prepare_lights()
     auto selftest = std::async(std::launch::async, [&] { return check_devices(); });
     auto to_points = std::async(std::launch::async, build, plan_.media_to_surface, EyeKind::points);
     auto to_segments = std::async(std::launch::async, build, plan_.media_to_media, EyeKind::segments);
-    const std::uint32_t lights = plan_.selection.lights;
-    light_paths_ = clock_.time("pilot", [&] {
-        return paths_for(scene_, visibility_, *plan_.technique,
-                         {.seed = settings_.seed, .max_depth = max_depth_, .light_segments = settings_.light_segments, .segment_length = settings_.segment_length, .stop = settings_.stop}, lights);
+    for (const GatherPlan& gather : plan_.gathers) gathers_.push_back(make_gathering(gather));
+    clock_.time("pilot", [&] {
+        if (plan_.virtual_lights()) light_paths_ = count_paths(*plan_.technique, plan_.selection.lights, LayerSet::all());
+        for (Gathering& g : gathers_) g.paths = count_paths(*g.plan.technique, g.plan.lights, g.plan.layers);
     });
     to_points_ = to_points.get(), to_segments_ = to_segments.get(), selftest_ = selftest.get();
     clock_.add("build_kernels", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), programs_built());
+}
+
+/// All but the pass, its paths and its radius.
+LightTracingSettings PassRenderer::light_settings(const LightTechnique& technique) const
+{
+    return {.seed = settings_.seed, .max_depth = max_depth_, .light_segments = settings_.light_segments, .segment_length = settings_.segment_length,
+            .even = settings_.emission != Sequence::random, .vertices_to_come = technique.gathered() ? 1 : 2, .stop = settings_.stop};
+}
+
+std::uint64_t PassRenderer::count_paths(const LightTechnique& technique, std::uint32_t lights, const LayerSet& layers) const
+{
+    return paths_for(scene_, visibility_, technique, light_settings(technique), lights, layers);
 }
 
 /// What the first device's check said, with the warnings of all.
@@ -106,24 +120,46 @@ std::unique_ptr<EyeConnector> PassRenderer::make_connector(EyeKind kind)
 {
     const int lanes = lanes_of(settings_, devices_.front());
     const PairProgram program = pair_program(plan_, settings_, kind, masks_, lanes);
-    const std::uint32_t limit = max_depth_ < 0 ? 0xffffffffu : static_cast<std::uint32_t>(std::max(max_depth_ - 1, 0));
-    const ConnectSettings connect{.features = program.features, .samples = program.samples, .vertex_limit = limit, .tile_pairs = settings_.tile_pairs, .lanes = lanes, .sums_of_eye = program.sums_of_eye(), .stop = settings_.stop};
+    const ConnectSettings connect{.features = program.features, .samples = program.samples, .vertex_limit = vertex_limit(max_depth_), .tile_pairs = settings_.tile_pairs, .lanes = lanes, .sums_of_eye = program.sums_of_eye(), .stop = settings_.stop};
     std::vector<PairStage> stages;
     for (Device& device : devices_) stages.emplace_back(device, program, media_tables(scene_, features_));
     return std::make_unique<EyeConnector>(std::move(stages), connect, plan_.selection, scene_.camera.crop_width);
+}
+
+PassRenderer::Gathering PassRenderer::make_gathering(const GatherPlan& gather)
+{
+    const PairProgram program = gather_program(gather, masks_, lanes_of(settings_, devices_.front()));
+    const ConnectSettings connect{.features = program.features, .vertex_limit = vertex_limit(max_depth_), .tile_pairs = settings_.tile_pairs, .lanes = program.lanes, .stop = settings_.stop};
+    std::vector<PairStage> stages;
+    for (Device& device : devices_) stages.emplace_back(device, program, media_tables(scene_, features_));
+    return {gather, std::make_unique<GatherConnector>(std::move(stages), connect, *gather.technique, plan_.selection.camera_samples)};
+}
+
+void PassRenderer::add_gathered(std::uint64_t pass, const EyeRecords& eyes, PassImage& image)
+{
+    for (Gathering& g : gathers_) {
+        const LightTechnique& technique = *g.plan.technique;
+        LightTracingSettings wanted = light_settings(technique);
+        wanted.pass = pass, wanted.paths = g.paths, wanted.radius = progressive_radius(g.plan.radius, pass, technique.blur_dimensions);
+        const std::vector<GatheredLights> all =
+            clock_.time("trace_lights", [&] { return trace_gathered_lights(scene_, visibility_, technique, wanted, g.plan.layers); });
+        for (const GatheredLights& lights : all) {
+            virtual_lights_ += lights.lights.count;
+            clock_.time(std::string(name(lights.layer)), [&] { g.connector->gather(eyes, lights.lights, visibility_, counts_, image[lights.layer]); });
+        }
+    }
 }
 
 void PassRenderer::add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image)
 {
     if (!plan_.virtual_lights()) return;
     const VirtualLights lights = clock_.time("trace_lights", [&] {
-        return trace_lights(scene_, visibility_, *plan_.technique,
-                            {.seed = settings_.seed, .pass = pass, .paths = light_paths_, .max_depth = max_depth_, .light_segments = settings_.light_segments,
-                             .segment_length = settings_.segment_length, .even = settings_.emission != Sequence::random,
-                             .radius = progressive_radius(plan_.radius, pass), .stop = settings_.stop});
+        LightTracingSettings wanted = light_settings(*plan_.technique);
+        wanted.pass = pass, wanted.paths = light_paths_, wanted.radius = progressive_radius(plan_.radius, pass);
+        return trace_lights(scene_, visibility_, *plan_.technique, wanted);
     });
     const std::uint64_t key = mix_bits(mix_bits(settings_.seed) + pass);
-    virtual_lights_ += lights.count, eye_segments_ += eyes.segments.size(), eye_points_ += eyes.points.size();
+    virtual_lights_ += lights.count;
     const auto connect = [&](EyeConnector* connector, EyeKind kind, Layer layer) {
         if (!connector) return;
         clock_.time(std::string(name(layer)), [&] { connector->connect(eyes, kind, lights, visibility_, key, counts_, image[layer]); });
@@ -151,9 +187,13 @@ void PassRenderer::add_host_layers(std::uint64_t pass, PassImage& image)
 PassResult PassRenderer::render(std::uint64_t pass)
 {
     PassResult result{PassImage(scene_.camera.crop_width, scene_.camera.crop_height, plan_.rendered()), {}};
-    const EyeTracingSettings wanted{.seed = settings_.seed, .pass = pass, .samples = plan_.virtual_lights() ? plan_.selection.camera_samples : 1, .max_depth = max_depth_, .segments = plan_.media_to_media, .points = plan_.media_to_surface, .stop = settings_.stop};
+    const EyeTracingSettings wanted{.seed = settings_.seed, .pass = pass, .samples = plan_.on_device() ? plan_.selection.camera_samples : 1, .max_depth = max_depth_,
+                                   .vertices_to_come = plan_.gathers.empty() ? 2 : 1, .segments = plan_.media_to_media || plan_.gathers_at(Reach::near_segments),
+                                   .points = plan_.media_to_surface || plan_.gathers_at(Reach::near_points), .stop = settings_.stop};
     EyeRecords eyes = clock_.time("trace_eyes", [&] { return trace_eyes(scene_, visibility_, wanted); });
+    if (plan_.on_device()) eye_segments_ += eyes.segments.size(), eye_points_ += eyes.points.size();
     add_virtual_lights(pass, eyes, result.image);
+    add_gathered(pass, eyes, result.image);
     add_host_layers(pass, result.image);
     result.features = std::move(eyes.features);
     return result;
@@ -174,9 +214,12 @@ void PassRenderer::add_bias(Report& report) const
     for (LayerReport& layer : report.layers) {
         if (layer.bias.empty()) continue;
         const auto& connector = layer.layer == name(Layer::media_to_media) ? to_segments_ : to_points_;
-        if (connector) layer.removed = connector->removed_share(), layer.kept_light = connector->kept_light(), layer.removed_light = connector->removed_light();
-        if (plan_.technique->is_thick && report.passes > 0)
-            layer.bias += fmt::format("; in the last of {} it was {:.3g} times as wide", report.passes, progressive_radius(1, static_cast<std::uint64_t>(report.passes - 1)));
+        const auto gathered = std::find_if(plan_.gathers.begin(), plan_.gathers.end(), [&](const GatherPlan& g) { return g.layers.contains(static_cast<Layer>(&layer - report.layers.data())); });
+        const int dimensions = gathered == plan_.gathers.end() ? 1 : gathered->technique->blur_dimensions;
+        const bool thick = gathered != plan_.gathers.end() || plan_.technique->is_thick;
+        if (connector && gathered == plan_.gathers.end()) layer.removed = connector->removed_share(), layer.kept_light = connector->kept_light(), layer.removed_light = connector->removed_light();
+        if (thick && report.passes > 0)
+            layer.bias += fmt::format("; in the last of {} it was {:.3g} times as wide", report.passes, progressive_radius(1, static_cast<std::uint64_t>(report.passes - 1), dimensions));
     }
 }
 
@@ -185,7 +228,9 @@ void PassRenderer::fill(Report& report) const
     report.layers = plan_.reports;
     add_bias(report);
     report.max_depth = max_depth_;
-    report.light_paths = light_paths_ * static_cast<std::uint64_t>(report.passes), report.virtual_lights = virtual_lights_;
+    std::uint64_t paths = light_paths_;
+    for (const Gathering& g : gathers_) paths += g.paths;
+    report.light_paths = paths * static_cast<std::uint64_t>(report.passes), report.virtual_lights = virtual_lights_;
     report.eye_segments = eye_segments_, report.eye_points = eye_points_;
     report.pairs = counts_.pairs, report.shadow_segments = counts_.shadow_segments;
     report.stages = clock_.stages();
@@ -213,10 +258,12 @@ void PassRenderer::add_devices(Report& report) const
     }
     if (to_segments_) add_connector(*to_segments_, "media_to_media", report);
     if (to_points_) add_connector(*to_points_, "media_to_surface", report);
+    for (const Gathering& g : gathers_) add_connector(*g.connector, std::string(g.plan.technique->title), report);
 }
 
 /// Times are sums over devices.
-void PassRenderer::add_connector(const EyeConnector& connector, const std::string& layer, Report& report) const
+template <typename Connector>
+void PassRenderer::add_connector(const Connector& connector, const std::string& layer, Report& report) const
 {
     PairTimings all;
     for (std::string& warning : connector.warnings()) report.warnings.push_back(std::move(warning));

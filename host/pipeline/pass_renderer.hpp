@@ -12,6 +12,7 @@
 #include "light_tracing/light_tracing.hpp"
 #include "pipeline/build_masks.hpp"
 #include "pipeline/eye_connector.hpp"
+#include "pipeline/gather_connector.hpp"
 #include "pipeline/render_state.hpp"
 #include "tiling/connect_pairs.hpp"
 
@@ -53,15 +54,29 @@ public:
     std::vector<StateSetting> settings() const;
 
 private:
+    /// Density estimation by one kind of light, ready to run.
+    struct Gathering {
+        GatherPlan plan;
+        std::unique_ptr<GatherConnector> connector{};
+        std::uint64_t paths = 0;  ///< per pass
+    };
+
     void prepare_lights();
     SelftestReport check_devices();
     std::unique_ptr<EyeConnector> make_connector(EyeKind kind);
+    Gathering make_gathering(const GatherPlan& gather);
+    std::uint64_t count_paths(const LightTechnique& technique, std::uint32_t lights, const LayerSet& layers) const;
+    LightTracingSettings light_settings(const LightTechnique& technique) const;
+    void add_gathered(std::uint64_t pass, const EyeRecords& eyes, PassImage& image);
+    const ConnectSettings* connect_settings() const;
     std::uint64_t programs_built() const;
     void add_savings(Report& report) const;
-    void add_connector(const EyeConnector& connector, const std::string& layer, Report& report) const;
+    template <typename Connector>
+    void add_connector(const Connector& connector, const std::string& layer, Report& report) const;
     void add_bias(Report& report) const;
     void add_devices(Report& report) const;
     void add_device_settings(std::vector<StateSetting>& all) const;
+    void add_light_settings(std::vector<StateSetting>& all) const;
     void add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image);
     void note_worst_pair(const EyeConnector::Worst& worst, std::uint64_t pass, Layer layer, PassImage& image);
     void add_host_layers(std::uint64_t pass, PassImage& image);
@@ -75,6 +90,7 @@ private:
     Visibility visibility_;
     std::vector<Device> devices_;  ///< all with the lane width of the first
     std::unique_ptr<EyeConnector> to_segments_, to_points_;
+    std::vector<Gathering> gathers_;  ///< one for each of the plan's
     std::optional<SelftestReport> selftest_;
     std::uint64_t light_paths_ = 0;
     StageClock clock_;

@@ -42,20 +42,14 @@ std::vector<StateSetting> PassRenderer::settings() const
         {"max depth", fmt::to_string(max_depth_)},
         {"light by paths", names_of(plan_.path_traced) + (plan_.single ? ", single by light" : "")},
     };
-    if (!plan_.virtual_lights()) return all;
+    if (!plan_.on_device()) return all;
+    for (const Gathering& g : gathers_)
+        all.push_back({std::string(g.plan.technique->title), fmt::format("{} of {} paths, {:.17g} thick, for {}", g.plan.lights, g.paths, g.plan.radius, names_of(g.plan.layers))});
+    if (plan_.virtual_lights()) add_light_settings(all);
     all.insert(all.end(), {
-        {"virtual lights", std::string(plan_.technique->name)},
-        {"bound of 1 / w^2", fmt::format("{:.17g}", plan_.clamp)},
-        {"radius of the first pass", fmt::format("{:.17g}", plan_.radius)},
-        {"lights", text_of(plan_.selection)},
-        {"light paths", fmt::to_string(light_paths_)},
         {"light segments", light_segments == LightSegments::all ? "all" : "first"},
         {"segment length", std::string(name_in(segment_length_names, segment_length))},
-        {"samples", fmt::to_string(samples)},
-        {"sampler", fmt::to_string(plan_.sampler)},
-        {"sequence", std::string(name_in(sequence_names, sequence))},
         {"emission", std::string(name_in(sequence_names, emission))},
-        {"transmittance", std::string(name_in(transmittance_names, transmittance))},
         {"precision", std::string(name_in(precision_names, precision))},
         {"math", std::string(name_in(math_names, math))},
         {"features", fmt::format("{:x} {:x}", masks_.media_to_media, masks_.media_to_surface)},
@@ -64,11 +58,32 @@ std::vector<StateSetting> PassRenderer::settings() const
     return all;
 }
 
+/// Of lights that eyes are connected to.
+void PassRenderer::add_light_settings(std::vector<StateSetting>& all) const
+{
+    all.insert(all.end(), {
+        {"virtual lights", std::string(plan_.technique->name)},
+        {"bound of 1 / w^2", fmt::format("{:.17g}", plan_.clamp)},
+        {"radius of the first pass", fmt::format("{:.17g}", plan_.radius)},
+        {"lights", text_of(plan_.selection)},
+        {"light paths", fmt::to_string(light_paths_)},
+        {"samples", fmt::to_string(settings_.samples_per_pair)},
+        {"sampler", fmt::to_string(plan_.sampler)},
+        {"sequence", std::string(name_in(sequence_names, settings_.sequence))},
+        {"transmittance", std::string(name_in(transmittance_names, settings_.transmittance))},
+    });
+}
+
+const ConnectSettings* PassRenderer::connect_settings() const
+{
+    if (to_segments_ || to_points_) return &(to_segments_ ? to_segments_ : to_points_)->settings();
+    return &gathers_.front().connector->settings();
+}
+
 /// What a machine brings with it.
 void PassRenderer::add_device_settings(std::vector<StateSetting>& all) const
 {
-    const auto* connector = to_segments_ ? to_segments_.get() : to_points_.get();
-    all.push_back({"lanes", fmt::to_string(connector->settings().lanes)});
+    all.push_back({"lanes", fmt::to_string(connect_settings()->lanes)});
     std::string names, drivers;
     for (const Device& device : devices_) {
         names += (names.empty() ? "" : "; ") + device.info().platform + ": " + device.info().name;
@@ -77,6 +92,7 @@ void PassRenderer::add_device_settings(std::vector<StateSetting>& all) const
     all.push_back({"device", names}), all.push_back({"driver", drivers});
     for (const auto* each : {to_segments_.get(), to_points_.get()})
         if (each) all.push_back({each == to_segments_.get() ? "kernels of media_to_media" : "kernels of media_to_surface", each->stages().front()->options()});
+    for (const Gathering& g : gathers_) all.push_back({"kernels of " + std::string(g.plan.technique->title), g.connector->stages().front()->options()});
 }
 
 void PassRenderer::continue_from(const Report& earlier)

@@ -93,7 +93,8 @@ private:
         report.error = -1, report.error_upper = std::numeric_limits<double>::infinity();  // until describe_film
         report.width = scene_.camera.crop_width, report.height = scene_.camera.crop_height;
         report.warnings = scene_.warnings;
-        for (std::string& sentence : uncarried_light(scene_)) report.warnings.push_back(std::move(sentence));
+        if (renderer_.plan().paths_seek_lights())
+            for (std::string& sentence : uncarried_light(scene_)) report.warnings.push_back(std::move(sentence));
         report.prediction = state_.report.prediction;
         renderer_.fill(report);
         state_.report = std::move(report);

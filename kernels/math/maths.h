@@ -19,6 +19,7 @@
 #include "kernels/math/rod_estimate.h"
 #include "kernels/math/surface_rod.h"
 #include "kernels/math/transmittance.h"
+#include "kernels/math/blur.h"
 #include "kernels/math/eye_and_light.h"
 #include "kernels/math/ray_light.h"
 

@@ -2,9 +2,6 @@
 #ifndef EYE_GROUP_H
 #define EYE_GROUP_H
 
-/// Choices that all eyes of a group share for one pair are made for groups of so many neighbours, so that they do not depend on the lane width.
-#define EYE_GROUP 16u
-
 typedef struct {
     uint number;             ///< of the group of LANES
     FacingPlanes facing;

@@ -2,26 +2,7 @@
 #ifndef EYE_KIND_H
 #define EYE_KIND_H
 
-typedef EyePoint EyeRecord;
-typedef struct {
-    EyePointLanes geometry;
-    bits key, depth, medium_index;
-} Eye;
-
-PURE Eye load_eye(__global const EyeRecord* eyes, uint group, Surroundings s)
-{
-#define FIELD(name) load_field(&eyes->name, sizeof(EyeRecord) / 4, group)
-#define FIELD_BITS(name) load_field_bits(&eyes->name, sizeof(EyeRecord) / 4, group)
-    Eye eye;
-    eye.geometry.position = make_real3(FIELD(position_x), FIELD(position_y), FIELD(position_z));
-    eye.geometry.normal = make_real3(FIELD(normal_x), FIELD(normal_y), FIELD(normal_z));
-    eye.geometry.facing = make_real3(FIELD(facing_x), FIELD(facing_y), FIELD(facing_z));
-    eye.geometry.throughput = make_real3(FIELD(throughput_r), FIELD(throughput_g), FIELD(throughput_b));
-    eye.key = FIELD_BITS(key), eye.depth = FIELD_BITS(depth), eye.medium_index = FIELD_BITS(medium);
-#undef FIELD
-#undef FIELD_BITS
-    return eye;
-}
+#include "kernels/stages/load_points.h"
 
 typedef PlaceFromPoint OnLight;
 typedef PlaceFromPoint OnBoth;
@@ -52,9 +33,6 @@ PURE OnBoth share_pair(Eye eye, real over_mass, Light light, OnBoth at, Passed t
 }
 PURE Matter matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, OnBoth at, real3 path) { return even_matter(R(0.0)); }
 PURE Matter exact_matter_at_eye(Surroundings s, const MediaOfGroup* media, Eye eye, const OpticalTable* table, OnBoth at) { return even_matter(R(0.0)); }
-
-enum { EYES_HAVE_TABLES = 0 };
-PURE real eye_length(Eye eye) { return R(0.0); }
 
 /// Where its connections start.
 PURE real3 eye_position(Eye eye) { return eye.geometry.position; }

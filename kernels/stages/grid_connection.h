@@ -2,6 +2,8 @@
 #ifndef GRID_CONNECTION_H
 #define GRID_CONNECTION_H
 
+#include "kernels/stages/light_table.h"
+
 /// The exact value is computed for one in so many pairs of a group of eyes, and counts as often.
 #define CORRECTION_PERIOD 64u
 
@@ -17,14 +19,6 @@
 
 /// 32 random bits that all eyes of the group of EYE_GROUP share for a pair.
 PURE uint shared_bits(const EyeGroup* around, uint counter, uint salt) { return mix_scalar(around->key + mix_scalar(counter ^ salt)); }
-
-PURE OpticalTable table_of_light(Surroundings s, Light light, uint number)
-{
-    float per_length = (float)TABLE_INTERVALS / fmax(light_length(light), 0x1p-126f);
-    OpticalTable t = {s.light_tables + (size_t)number * TABLE_FLOATS, 1u, (bits)(0u), (real)per_length};
-    return t;
-}
-PURE real3 sigma_t_of(MediumRecord m) { return make_real3((real)m.sigma_t_r, (real)m.sigma_t_g, (real)m.sigma_t_b); }
 
 /// Mean grey optical depth of a light; nothing lies along a point.
 PURE float depth_of_light(Surroundings s, Light light, uint number)
@@ -85,19 +79,6 @@ PURE OnBoth share_with_matter(Eye eye, const EyeGroup* around, Surroundings s, L
         on_light = matter_density(to_light, sigma_t_of(medium_of(s, light)), mass, light_is_even(light));
     }
     return share_pair(eye, around->over_mass, light, at, to_eye, on_light, (real)share);
-}
-
-/// What lies along the light up to a place, exactly: from its table, with the interval of the place walked cell by cell. A point has it in its power.
-PURE Matter exact_matter_on_light(Surroundings s, MediumRecord medium, Light light, uint number, real v)
-{
-    if (!LIGHT_IS_LINE) return even_matter(R(0.0));
-    OpticalTable table = table_of_light(s, light, number);
-    real3 origin = light_origin(light), direction = light_direction(light);
-    TableNode node = node_below(table, v, (real)light_length(light));
-    real3 way = scale3(direction, v - node.x);
-    Matter m = {add3(node.path, exact_path(s, medium, along3(origin, node.x, direction), way, v - node.x, R(0.0), R(1.0))),
-                scattering_at(s, medium, along3(origin, v, direction))};
-    return m;
 }
 
 /// The connection with all that grids have a part in.

@@ -2,6 +2,9 @@
 #ifndef SURROUNDINGS_H
 #define SURROUNDINGS_H
 
+/// Choices that all eyes of a group share for one pair are made for groups of so many neighbours, so that they do not depend on the lane width.
+#define EYE_GROUP 16u
+
 typedef struct {
     __global const MediumRecord* media;
     __global const ContainerRecord* containers;

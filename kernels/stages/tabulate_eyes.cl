@@ -1,5 +1,5 @@
 // Density grids: what lies along each eye segment, once for every set of eyes. Tables of EYE_GROUP neighbours lie together, whatever the lane width.
-#include "kernels/stages/pair_stage.h"
+#include "STAGE"
 
 __kernel void tabulate_eyes(__global const EyeRecord* eyes, uint groups, SURROUNDINGS_PARAMETERS, __global float* tables)
 {

@@ -1,5 +1,5 @@
 // Density grids: what lies along each light, once for every set of lights. One work-item per light; its intervals are the lanes.
-#include "kernels/stages/pair_stage.h"
+#include "STAGE"
 
 __kernel void tabulate_lights(__global const Light* lights, uint count, SURROUNDINGS_PARAMETERS, __global float* tables)
 {

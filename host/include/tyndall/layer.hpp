@@ -48,6 +48,7 @@ public:
     std::size_t size() const { return bits_.count(); }
     LayerSet& add(Layer layer) { bits_.set(static_cast<std::size_t>(layer)); return *this; }
     LayerSet& remove(Layer layer) { bits_.reset(static_cast<std::size_t>(layer)); return *this; }
+    LayerSet without(const LayerSet& others) const { LayerSet left = *this; left.bits_ &= ~others.bits_; return left; }
     friend LayerSet operator&(LayerSet a, LayerSet b) { a.bits_ &= b.bits_; return a; }
     friend LayerSet operator|(LayerSet a, LayerSet b) { a.bits_ |= b.bits_; return a; }
     friend bool operator==(const LayerSet&, const LayerSet&) = default;

@@ -79,7 +79,7 @@ std::vector<std::string> thick_methods()
 {
     std::vector<std::string> methods;
     for (const LightTechnique& technique : light_techniques())
-        if (technique.is_thick) methods.emplace_back(technique.method);
+        if (technique.is_thick && !technique.gathered()) methods.emplace_back(technique.method);
     return methods;
 }
 
@@ -128,7 +128,7 @@ TEST(BiasedLights, RefuseWhatMakesNoSense)
     for (const std::string& method : thick_methods())
         for (const double radius : {0., -1., std::nan(""), 2.}) EXPECT_THAT(refusal({.method = Method(method), .beam_radius = radius}), HasSubstr("above 0"));
     EXPECT_THAT(refusal({.method = Method("vpl"), .beam_radius = .1}), HasSubstr("--beam-radius is for lights that are thick"));
-    EXPECT_THAT(refusal({.method = Method("photons")}), HasSubstr("unknown method \"photons\"; there are: "));
+    EXPECT_THAT(refusal({.method = Method("lanterns")}), HasSubstr("unknown method \"lanterns\"; there are: "));
 }
 
 }  // namespace

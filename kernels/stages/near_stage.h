@@ -1,0 +1,27 @@
+// Everything that a stage of density estimation reads, in order. "EYE" and "LIGHT" stand for the kind of eye and of light that the program is built for.
+#ifndef NEAR_STAGE_H
+#define NEAR_STAGE_H
+#include "kernels/math/maths.h"
+#include "kernels/math/long_sum.h"
+#include "kernels/shared/samplers.h"
+#include "kernels/shared/transmittance_modes.h"
+#include "kernels/shared/scene_features.h"
+#include "kernels/shared/medium.h"
+#include "kernels/shared/phase_lobe.h"
+#include "kernels/shared/grid.h"
+#include "kernels/shared/container.h"
+#include "kernels/shared/eye_segment.h"
+#include "kernels/shared/eye_point.h"
+#include "kernels/volumes/grid_walk.h"
+#include "kernels/volumes/grid_lookup.h"
+#include "kernels/volumes/grid_march.h"
+#include "kernels/volumes/optical_table.h"
+#include "LIGHT"
+#include "kernels/stages/surroundings.h"
+#include "kernels/stages/media.h"
+#include "kernels/stages/grid_media.h"
+#include "kernels/stages/light_table.h"
+#include "kernels/stages/sums.h"
+#include "kernels/stages/near_group.h"
+#include "EYE"
+#endif
