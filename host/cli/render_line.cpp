@@ -48,7 +48,7 @@ std::string shell_quoted(const std::string& text)
 std::string render_line(const CompareCommand& command, const RenderSettings& settings)
 {
     std::string line = fmt::format("tyndall render {} --method {}", shell_quoted(command.inputs.front().string()), name(settings.method));
-    if (uses_virtual_lights(settings.method)) line += virtual_light_options(settings);
+    if (uses_light_paths(settings.method)) line += virtual_light_options(settings);
     for (const std::string& layer : command.layers) line += " --layer " + shell_quoted(layer);
     if (settings.max_depth) line += fmt::format(" --max-depth {}", *settings.max_depth);
     if (command.resolution) line += fmt::format(" --resolution {}x{}", command.resolution->first, command.resolution->second);

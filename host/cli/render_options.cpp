@@ -65,7 +65,7 @@ void add_bias(CLI::App& app, RenderSettings& settings)
 {
     add(app, "--clamp", "C", "of clamped methods: 1/w^2 of a connection is at most C over the square of the scene's half diagonal; biased (100)",
         [&](const auto& text) { settings.clamp = parse_number("--clamp", text, 1e-6, 1e12); });
-    add(app, "--beam-radius", "SHARE", "of beams: radius in the first pass, of the scene's half diagonal: .05 or 5%; biased, less from pass to pass (.05)",
+    add(app, "--beam-radius", "SHARE", "of beams and photons: radius in the first pass, of the scene's half diagonal: .05 or 5%; biased, less from pass to pass (vbl .05, beams and photons .02)",
         [&](const auto& text) { settings.beam_radius = parse_share("--beam-radius", text); });
 }
 

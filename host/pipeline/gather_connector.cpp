@@ -55,7 +55,8 @@ void GatherConnector::gather(std::span<const Eye> eyes, const VirtualLights& lig
         return eyes.subspan(first, last - first);
     };
     SharedJob job{.units = (eyes.size() + eye_alignment - 1) / eye_alignment, .eyes = [](Piece piece) { return (piece.last - piece.first) * eye_alignment; }};
-    job.fits = [&](Piece piece) { return (piece.last - piece.first) * lights.count <= numbers_at_a_time; };
+    const std::size_t most = settings_.tile_pairs ? settings_.tile_pairs : numbers_at_a_time;
+    job.fits = [&](Piece piece) { return (piece.last - piece.first) * lights.count <= most; };
     job.sums = [&](PairStage& stage, const ConnectSettings& settings, Piece piece, ConnectCounts& here) {
         throw_if_raised(settings.stop);
         const auto lists = near(chunk_of(piece), visibility);
