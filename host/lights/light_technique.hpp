@@ -90,14 +90,12 @@ const LightTechnique* technique_of(Method method);
 /// Does the method bound the connections of its lights?
 bool is_clamped(Method method);
 
-/// Do its lights have a radius?
+/// Do some of its lights have a radius?
 bool is_thick(Method method);
 
 inline bool uses_virtual_lights(Method method) { return technique_of(method) != nullptr; }
 /// Does it trace paths from the lights at all?
 inline bool uses_light_paths(Method method) { return method != Method::path; }
-/// Do some of its lights have a radius?
-bool is_thick(Method method);
 
 /// Every value of --method: the default first, path tracing last.
 std::vector<Method> all_methods();

@@ -66,7 +66,7 @@ PairProgram pair_program(const LayerPlan& plan, const RenderSettings& settings, 
             .fast_math = settings.math == KernelMath::fast};
 }
 
-PairProgram gather_program(const GatherPlan& gather, const BuildMasks& masks, int lanes)
+PairProgram gather_program(const GatherPlan& gather, const RenderSettings& settings, const BuildMasks& masks, int lanes)
 {
     const LightTechnique& technique = *gather.technique;
     const bool segments = technique.reach == Reach::near_segments;
@@ -78,6 +78,8 @@ PairProgram gather_program(const GatherPlan& gather, const BuildMasks& masks, in
             .eyes = segments ? EyeKind::segments : EyeKind::points,
             .features = segments ? all & ~never : all & feature_bit::depth_limit,
             .lanes = lanes,
+            .precision = settings.precision == Precision::f64 ? 64 : 32,
+            .fast_math = settings.math == KernelMath::fast,
             .gathers = true};
 }
 

@@ -26,7 +26,7 @@ std::string doubt_about_math(const RenderSettings& settings);
 PairProgram pair_program(const LayerPlan& plan, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes);
 
 /// The program for the lights of `gather` and the eyes that they come near.
-PairProgram gather_program(const GatherPlan& gather, const BuildMasks& masks, int lanes);
+PairProgram gather_program(const GatherPlan& gather, const RenderSettings& settings, const BuildMasks& masks, int lanes);
 
 /// The families of golden cases (kernels/selftest/evaluate.h) whose mathematics the render's kernels hold.
 std::uint32_t case_families(const LayerPlan& plan, const RenderSettings& settings, const BuildMasks& masks);

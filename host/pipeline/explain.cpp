@@ -65,7 +65,7 @@ Explanation explain(const Scene& scene, const RenderSettings& settings)
     e.effects = effect_reports(features), e.layers = plan.reports;
     if (plan.media_to_media) add_kernels("media_to_media", pair_program(plan, settings, EyeKind::segments, masks, e.lanes), e.kernels);
     if (plan.media_to_surface) add_kernels("media_to_surface", pair_program(plan, settings, EyeKind::points, masks, e.lanes), e.kernels);
-    for (const GatherPlan& gather : plan.gathers) add_kernels(std::string(gather.technique->title), gather_program(gather, masks, e.lanes), e.kernels);
+    for (const GatherPlan& gather : plan.gathers) add_kernels(std::string(gather.technique->title), gather_program(gather, settings, masks, e.lanes), e.kernels);
     if (plan.virtual_lights()) e.selection = to_text(selection);
     e.grids = grid_transmittance(settings, plan, masks);
     e.memory = estimate_memory(scene, settings, plan, masks);

@@ -128,7 +128,7 @@ std::unique_ptr<EyeConnector> PassRenderer::make_connector(EyeKind kind)
 
 PassRenderer::Gathering PassRenderer::make_gathering(const GatherPlan& gather)
 {
-    const PairProgram program = gather_program(gather, masks_, lanes_of(settings_, devices_.front()));
+    const PairProgram program = gather_program(gather, settings_, masks_, lanes_of(settings_, devices_.front()));
     const ConnectSettings connect{.features = program.features, .vertex_limit = vertex_limit(max_depth_), .tile_pairs = settings_.tile_pairs, .lanes = program.lanes, .stop = settings_.stop};
     std::vector<PairStage> stages;
     for (Device& device : devices_) stages.emplace_back(device, program, media_tables(scene_, features_));
