@@ -9,6 +9,7 @@
 #include "cli/explain_command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/list_commands.hpp"
+#include "cli/manual.hpp"
 #include "cli/render_command.hpp"
 #include "cli/render_line.hpp"
 #include "cli/render_options.hpp"
@@ -31,6 +32,7 @@ struct Request {
     DevicesCommand devices;
     SelftestCommand selftest;
     BenchCommand bench;
+    std::string shell;  ///< of completion
 };
 
 constexpr const char* examples = R"(Examples:
@@ -102,6 +104,9 @@ void declare(CLI::App& app, Request& request)
     add_selftest_options(*app.add_subcommand("selftest", "Runs the hard cases on host and device; exit code 8 if one is outside its bounds"), request.selftest);
     add_bench_options(*app.add_subcommand("bench", "Measures how many pairs per second a device evaluates, at every lane width"), request.bench);
     add_devices_options(*app.add_subcommand("devices", "Lists the OpenCL devices"), request.devices);
+    app.add_subcommand("man", "Prints this program's manual page, for man -l -");
+    app.add_subcommand("completion", "Prints what makes a shell complete commands and options: source <(tyndall completion bash)")
+        ->add_option("shell", request.shell, "bash or zsh")->required()->type_name("SHELL");
 }
 
 std::vector<std::string> option_names(const CLI::App& app)
@@ -145,6 +150,12 @@ int end_of_parsing(const CLI::App& app, const CLI::ParseError& error, int argc, 
     throw UsageError(sentence + "\n`tyndall -h` and `tyndall render -h` list what there is");
 }
 
+int print(const std::string& text)
+{
+    fmt::print("{}", text);
+    return static_cast<int>(ExitCode::ok);
+}
+
 int run(int argc, char** argv)
 {
     Request request;
@@ -158,6 +169,8 @@ int run(int argc, char** argv)
     std::string invocation = "tyndall";
     for (int i = 1; i < argc; ++i) invocation += " " + shell_quoted(argv[i]);
     request.compare.invocation = request.bench.invocation = invocation;
+    if (app.got_subcommand("man")) return print(manual_page(app, version_number()));
+    if (app.got_subcommand("completion")) return print(completion_script(app, request.shell));
     if (app.got_subcommand("render")) return run_render(request.render);
     if (app.got_subcommand("animate")) return run_animate(std::move(request.animate));
     if (app.got_subcommand("explain")) return run_explain(request.explain);

@@ -9,6 +9,8 @@ namespace tyndall {
 
 std::string version() { return fmt::format("{} ({})", TYNDALL_VERSION, TYNDALL_COMMIT); }
 
+std::string version_number() { return TYNDALL_VERSION; }
+
 std::string version_text() { return fmt::format("tyndall {}\ncompiled with {}\n{}", version(), TYNDALL_COMPILER, TYNDALL_LIBRARIES); }
 
 }  // namespace tyndall

@@ -58,6 +58,12 @@ TEST_F(LibraryInstall, TheProgramRunsFromThere)
     succeeds({(prefix() / "bin/tyndall").string(), "render", std::string(TYNDALL_SOURCE_DIR) + "/scenes/cornell_fog/scene.xml", "--resolution", "8x8", "-p", "1", "--lights", "16", "-o", "cornell.exr"}, {.folder = folder->path()});
 }
 
+TEST_F(LibraryInstall, ManualPageAndCompletionAreThere)
+{
+    EXPECT_GT(fs::file_size(prefix() / "share/man/man1/tyndall.1"), 1000u);
+    EXPECT_GT(fs::file_size(prefix() / "share/bash-completion/completions/tyndall"), 1000u);
+}
+
 TEST_F(LibraryInstall, AnotherMinorVersionIsNotTaken)
 {
     const fs::path source = folder->path() / "newer";

@@ -1,0 +1,81 @@
+/// Completion for bash, from the table of options.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include <vector>
+
+#include "cli/manual.hpp"
+#include "lights/light_technique.hpp"
+#include "tyndall/error.hpp"
+#include "tyndall/setting_names.hpp"
+
+namespace tyndall {
+namespace {
+
+std::string words(const std::vector<std::string>& all) { return fmt::format("{}", fmt::join(all, " ")); }
+
+template <class Value, std::size_t count>
+std::string words(const std::array<Named<Value>, count>& names)
+{
+    std::vector<std::string> all;
+    for (const auto& named : names) all.emplace_back(named.name);
+    return words(all);
+}
+
+/// What may follow an option that takes a name of a list, from the lists themselves.
+std::vector<std::pair<std::string, std::string>> choices()
+{
+    std::vector<std::string> methods, layers(layer_names.begin(), layer_names.end());
+    for (const Method method : all_methods()) methods.emplace_back(method.name());
+    return {{"--method", words(methods)},          {"--layer", words(layers)},
+            {"--sampler", words(sampler_names)},   {"--sequence", words(sequence_names)},
+            {"--emission", words(sequence_names)}, {"--transmittance", words(transmittance_names)},
+            {"--select", words(selection_names)},  {"--lanes", "1 4 8 16"},
+            {"--light-segments", "all first"},     {"--progress", "auto bar plain json none"}};
+}
+
+std::vector<std::string> option_names(const CLI::App& app)
+{
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+}  // namespace
+
+std::string completion_script(const CLI::App& app, const std::string& shell)
+{
+    if (shell != "bash" && shell != "zsh") throw UsageError("completion for \"" + shell + "\" is not there; bash and zsh are");
+    std::vector<std::string> commands = option_names(app);
+    std::string cases, values;
+    for (const CLI::App* command : app.get_subcommands(nullptr)) {
+        commands.push_back(command->get_name());
+        cases += fmt::format("        {}) options=\"{}\" ;;\n", command->get_name(), words(option_names(*command)));
+    }
+    for (const auto& [option, names] : choices()) values += fmt::format("        {}) COMPREPLY=($(compgen -W \"{}\" -- \"$current\")); return ;;\n", option, names);
+    return fmt::format(R"({}_tyndall()
+{{
+    local current=${{COMP_WORDS[COMP_CWORD]}} previous=${{COMP_WORDS[COMP_CWORD-1]}} options=""
+    COMPREPLY=()
+    if [[ $COMP_CWORD -eq 1 ]]; then
+        COMPREPLY=($(compgen -W "{}" -- "$current"))
+        return
+    fi
+    case $previous in
+{}    esac
+    case ${{COMP_WORDS[1]}} in
+{}    esac
+    if [[ $current == -* ]]; then
+        COMPREPLY=($(compgen -W "$options" -- "$current"))
+    else
+        COMPREPLY=($(compgen -f -- "$current"))
+    fi
+}}
+complete -o filenames -F _tyndall tyndall
+)",
+                       shell == "zsh" ? "autoload -U +X bashcompinit && bashcompinit\n" : "", words(commands), values, cases);
+}
+
+}  // namespace tyndall
