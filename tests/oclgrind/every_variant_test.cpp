@@ -24,7 +24,8 @@ std::vector<std::byte> lights_of(std::string_view name)
         for (std::uint32_t i = 0; technique.name == name && i < light_count; ++i) {
             const double t = .3 * i;
             const Vec3 direction = glm::normalize(Vec3(std::cos(t), std::sin(t), .4));
-            technique.deposit({.origin = .5 * Vec3(std::sin(3 * t), std::cos(5 * t), std::sin(7 * t)), .direction = direction, .length = .3 + .02 * i, .medium = 0, .flux = Rgb(1, .5, .25),
+            if (technique.arrive) technique.arrive({.position = Vec3(0), .direction = direction, .facing = -direction, .flux = Rgb(1, .5, .25), .depth = static_cast<int>(i % 3), .radius = 5}, records);
+            else technique.deposit({.origin = .5 * Vec3(std::sin(3 * t), std::cos(5 * t), std::sin(7 * t)), .direction = direction, .length = .3 + .02 * i, .medium = 0, .flux = Rgb(1, .5, .25),
                                .depth = static_cast<int>(i % 3), .is_short = i % 2 == 1, .channel = Rgb(.5, .3, .2), .collision = .1, .radius = .05, .scattered = Rgb(.4)}, records);
         }
     return records;
@@ -62,6 +63,17 @@ void select_lights(PairStage& stage, const RandomPairs& pairs, EyeKind kind)
     stage.select({.standing = eyes_of(pairs, kind).first(16 * (kind == EyeKind::segments ? sizeof(EyeSegment) : sizeof(EyePoint))), .standing_count = 16, .blocks = blocks, .slots = slots});
 }
 
+/// Every light is near.
+void gather_all(PairStage& stage)
+{
+    std::vector<std::uint32_t> starts{0}, near;
+    for (std::uint32_t group = 0; group < 3; ++group) {
+        for (std::uint32_t i = 0; i < light_count; ++i) near.push_back(i);
+        starts.push_back(static_cast<std::uint32_t>(near.size()));
+    }
+    stage.gather_near(starts, near);
+}
+
 void run_all_pairs(PairStage& stage, const PairProgram& program)
 {
     const std::uint32_t lights = program.selection ? slots : light_count;
@@ -82,7 +94,8 @@ TEST_P(EveryVariant, RunsAtOddSizes)
     PairStage stage(device, program, pairs.tables);
     stage.begin(eyes_of(pairs, program.eyes), static_cast<std::uint32_t>(pairs.segments.size()), pairs.lights, 4);
     if (program.selection) select_lights(stage, pairs, program.eyes);
-    run_all_pairs(stage, program);
+    if (program.gathers) gather_all(stage);
+    else run_all_pairs(stage, program);
     const std::vector<double> sums = stage.sums();
     ASSERT_EQ(sums.size(), pairs.segments.size() * 3 * program.sums_of_eye());
     for (const double sum : sums) ASSERT_TRUE(std::isfinite(sum));

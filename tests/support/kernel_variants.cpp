@@ -93,6 +93,10 @@ Choices allowed(Choices choices)
     const LightTechnique& technique = light_techniques()[static_cast<std::size_t>(choices[light])];
     if (technique.clamped_method.empty()) choices[clamp] = 0;
     if (technique.name != "virtual_ray_light") choices[sampler] = 0;
+    if (technique.gathered()) {  // one kind of eye, and no connections
+        choices[eye] = technique.reach == Reach::near_points ? 1 : 0, choices[sequence] = choices[selection] = choices[transmittance] = 0;
+        for (const std::uint32_t bit : {feature_bit::occluders + 0u, feature_bit::boundaries + 0u, feature_bit::nonconvex_media + 0u}) choices[choice_of(bit)] = 0;
+    }
     if (choices[choice_of(feature_bit::nonconvex_media)]) choices[choice_of(feature_bit::occluders)] = 1;
     if (!choices[choice_of(feature_bit::heterogeneous)]) choices[choice_of(feature_bit::coloured_grids)] = choices[transmittance] = 0;
     return choices;
@@ -101,7 +105,7 @@ Choices allowed(Choices choices)
 PairProgram program_of(const Choices& choices)
 {
     const LightTechnique& technique = light_techniques()[static_cast<std::size_t>(choices[light])];
-    PairProgram program{.light = std::string(technique.name), .light_bytes = static_cast<std::uint32_t>(technique.record_bytes), .light_is_line = technique.is_line};
+    PairProgram program{.light = std::string(technique.name), .light_bytes = static_cast<std::uint32_t>(technique.record_bytes), .light_is_line = technique.is_line, .gathers = technique.gathered()};
     program.eyes = choices[eye] ? EyeKind::points : EyeKind::segments;
     program.lanes = lane_widths[static_cast<std::size_t>(choices[lanes])];
     program.sampler = choices[sampler], program.sequence = choices[sequence], program.selection = choices[selection] != 0;
