@@ -31,6 +31,7 @@ std::vector<std::pair<std::string, std::string>> choices()
     return {{"--method", words(methods)},          {"--layer", words(layers)},
             {"--sampler", words(sampler_names)},   {"--sequence", words(sequence_names)},
             {"--emission", words(sequence_names)}, {"--transmittance", words(transmittance_names)},
+            {"--precision", words(precision_names)}, {"--math", words(math_names)},
             {"--select", words(selection_names)},  {"--lanes", "1 4 8 16"},
             {"--light-segments", "all first"},     {"--progress", "auto bar plain json none"}};
 }
