@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What every dial is worth, from `tyndall bench --accuracy` or `tyndall compare --dials`, as a figure: accuracy_figure.py comparison.json accuracy.svg
+"""What every dial is worth, from `tyndall bench --accuracy` or `tyndall compare --dials`, as a figure: accuracy_figure.py comparison.json accuracy.svg [prices.json]
 
 A row per value: its relMSE at equal time over that of the usual value, with the interval; right of 1 it needs longer for the same error. Filled: told apart; hollow: not."""
 import json
@@ -56,4 +56,12 @@ def draw(data, path):
 
 if __name__ == "__main__":
     with open(sys.argv[1], encoding="utf-8") as stream:
-        draw(json.load(stream), sys.argv[2])
+        measured = json.load(stream)
+    draw(measured, sys.argv[2])
+    if len(sys.argv) > 3:
+        keys = ["value", "ratio", "low", "high", "told_apart", "biased"]
+        prices_alone = {key: measured[key] for key in ("version", "layer", "width", "height", "times", "repeats")} | {"device": measured["candidates"][0]["device"]}
+        prices_alone["dials"] = [{"dial": dial, "usual": usual, "values": [dict(zip(keys, row)) for row in rows]} for dial, usual, rows in prices(measured)]
+        with open(sys.argv[3], "w", encoding="utf-8") as stream:
+            json.dump(prices_alone, stream, indent=1)
+            stream.write("\n")

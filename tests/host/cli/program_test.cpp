@@ -181,7 +181,7 @@ TEST_F(Program, UsageErrorsExitWith2AndHelp)
         {{"render", "scene.xml", "--passes", "0"}, "--passes \"0\": must be a whole number"},
         {{"render", "scene.xml", "--time", "soon"}, "--time \"soon\""},
         {{"render", "scene.xml", "--lanes", "5"}, "1, 4, 8, 16"},
-        {{"render", "scene.xml", "--method", "photons"}, "must be one of vrl, "},
+        {{"render", "scene.xml", "--method", "teapots"}, "must be one of vrl, "},
         {{"render", "scene.xml", "--method", "vpl-clamped", "--clamp", "0"}, "--clamp \"0\": must be a number"},
         {{"render", "scene.xml", "--method", "vpl-clamped", "--clamp", "nan"}, "--clamp \"nan\": must be a number"},
         {{"render", "scene.xml", "--beam-radius", "-1"}, "--beam-radius \"-1\": must be a share"},
