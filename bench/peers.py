@@ -173,6 +173,8 @@ def markdown(result):
         for peer in PEERS:
             ratios = row["ratios"][peer]
             text.append(f"| {row['scene']}: {SCENES[row['scene']][2]} | {row['what'].replace('_', ' ')} | {peer} | {show(ratios['pixels'])} | {show(ratios['trimmed'])} | {show(ratios['blocks'])} | {row['z']:.1f} |")
+    text += ["", "In `media to media` rows both render the scene with black surfaces. Mitsuba's path tracers trace all layers with vectorised code; Tyndall path-traces what ray lights do not carry, so whole images in which light between walls rules are slower here.",
+             "The ratios of that layer grow without bound as the fog gets thinner: paths that scatter twice become rare, connections do not."]
     return "\n".join(text) + "\n"
 
 

@@ -14,7 +14,7 @@ build_packages=(
   nlohmann-json3-dev libcli11-dev libfmt-dev                # reports, command line, messages
 )
 optional_packages=(libopenvdb-dev)                          # .vdb files; tests/run.sh installs it, so that they are tested
-test_packages=(libgtest-dev libgmock-dev librapidcheck-dev python3 python3-numpy dpkg-dev
+test_packages=(libgtest-dev libgmock-dev librapidcheck-dev python3 python3-numpy dpkg-dev file
                chromium chromium-driver)                    # the page of `tyndall compare`
 fuzz_packages=(clang)                                       # tests/fuzz: libFuzzer comes with it
 oclgrind_packages=(oclgrind)                                # tests/oclgrind.sh

@@ -5,7 +5,7 @@ set -euo pipefail
 cpack=$1 build=$2 scene=$3 mode=${4:-unpack}
 skip() { printf 'skipped: %s\n' "$*"; exit 77; }
 fail() { printf 'failed: %s\n' "$*" >&2; exit 1; }
-for tool in dpkg-deb dpkg-shlibdeps; do command -v "$tool" >/dev/null || skip "there is no $tool"; done
+for tool in dpkg-deb dpkg-shlibdeps file; do command -v "$tool" >/dev/null || skip "there is no $tool"; done
 
 folder=$(mktemp -d)
 clean_up() {
