@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
 
 #include "cli/animate_options.hpp"
 #include "cli/compare_options.hpp"
@@ -10,6 +12,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/list_commands.hpp"
 #include "cli/manual.hpp"
+#include "cli/option_sources.hpp"
 #include "cli/render_command.hpp"
 #include "cli/render_line.hpp"
 #include "cli/render_options.hpp"
@@ -33,6 +36,8 @@ struct Request {
     SelftestCommand selftest;
     BenchCommand bench;
     std::string shell;  ///< of completion
+    std::string config;           ///< file with values of options
+    bool print_config = false;
 };
 
 constexpr const char* examples = R"(Examples:
@@ -84,6 +89,16 @@ public:
     }
 };
 
+/// Options of every command that has any.
+void add_to_all(CLI::App& app, Request& request)
+{
+    for (CLI::App* command : app.get_subcommands(nullptr)) {
+        if (command->get_name() == "man" || command->get_name() == "completion") continue;
+        command->add_option("--config", request.config, "values of options, one a line: name = value; the command line and TYNDALL_... win over it")->type_name("FILE")->envname("TYNDALL_CONFIG");
+        command->add_flag("--print-config", request.print_config, "print every option with its value and where that is from, and exit");
+    }
+}
+
 void declare(CLI::App& app, Request& request)
 {
     app.formatter(std::make_shared<ExamplesFirst>());
@@ -92,6 +107,7 @@ void declare(CLI::App& app, Request& request)
     app.require_subcommand(1);
     auto* render = app.add_subcommand("render", "Renders a scene: EXR with layers, PNG, report");
     add_render_options(*render, request.render);
+    render->add_flag("--dry-run", request.render.dry_run, "check everything and print what would be done, as `explain` does; render nothing");
     add_animate_options(*app.add_subcommand("animate", "Renders a frame for every value of a <default> of the scene; goes on where it was stopped"), request.animate);
     auto* explain = app.add_subcommand("explain", "Says what `render` with the same options would simulate, what not and why, with memory and time");
     add_explain_options(*explain, request.explain);
@@ -106,7 +122,8 @@ void declare(CLI::App& app, Request& request)
     add_devices_options(*app.add_subcommand("devices", "Lists the OpenCL devices"), request.devices);
     app.add_subcommand("man", "Prints this program's manual page, for man -l -");
     app.add_subcommand("completion", "Prints what makes a shell complete commands and options: source <(tyndall completion bash)")
-        ->add_option("shell", request.shell, "bash or zsh")->required()->type_name("SHELL");
+        ->add_option("shell", request.shell, "bash, zsh or fish")->required()->type_name("SHELL");
+    add_to_all(app, request);
 }
 
 std::vector<std::string> option_names(const CLI::App& app)
@@ -142,12 +159,50 @@ std::string unknown_argument(const CLI::App& app, int argc, char** argv)
 }
 
 /// Help and version go to standard output and succeed; the rest is a usage error.
-int end_of_parsing(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv)
+int end_of_parsing(const CLI::App& app, const CLI::ParseError& error, const std::vector<GivenValue>& given, int argc, char** argv)
 {
     if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);
     auto sentence = unknown_argument(app, argc, argv);
-    if (sentence.empty()) sentence = error.what();
+    if (sentence.empty()) sentence = error.what() + source_of_mistake(error.what(), given);
     throw UsageError(sentence + "\n`tyndall -h` and `tyndall render -h` list what there is");
+}
+
+/// Takes the variables away from all options, and returns them.
+std::vector<std::pair<CLI::Option*, std::string>> without_variables(CLI::App& app)
+{
+    std::vector<std::pair<CLI::Option*, std::string>> variables;
+    for (CLI::App* command : app.get_subcommands(nullptr))
+        for (CLI::Option* option : command->get_options()) variables.emplace_back(option, option->get_envname()), option->envname("");
+    return variables;
+}
+
+/// With the values that come from the environment and from a file, unless the command line makes no sense by itself.
+std::vector<std::string> complete(const std::vector<std::string>& arguments, std::vector<GivenValue>& given)
+{
+    Request scratch;
+    CLI::App app("", "tyndall");
+    declare(app, scratch);
+    const auto variables = without_variables(app);
+    try {
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    } catch (const CLI::RequiredError&) {  // what is missing may be in the file
+        if (app.get_subcommands().empty()) return arguments;
+    } catch (const CLI::ParseError&) {
+        return arguments;
+    }
+    for (const auto& [option, variable] : variables) option->envname(variable);
+    const CLI::App& command = *app.get_subcommands().front();
+    given = given_values(app, command);
+    return with_values(arguments, command.get_name(), given);
+}
+
+/// The scene of a command that renders one.
+std::optional<Scene> scene_of(const CLI::App& app, const Request& request)
+{
+    const bool animate = app.got_subcommand("animate");
+    if (!animate && !app.got_subcommand("render") && !app.got_subcommand("explain")) return std::nullopt;
+    const RenderCommand& command = animate ? request.animate.render : app.got_subcommand("render") ? request.render : request.explain.render;
+    return load_scene(std::filesystem::is_directory(command.scene) ? command.scene / "scene.xml" : command.scene, command.load);
 }
 
 int print(const std::string& text)
@@ -156,15 +211,29 @@ int print(const std::string& text)
     return static_cast<int>(ExitCode::ok);
 }
 
+/// Parses what is complete. Nothing, or the exit code if that is all that there is to do.
+std::optional<int> parse(CLI::App& app, const std::vector<std::string>& arguments, const std::vector<GivenValue>& given, int argc, char** argv)
+try {
+    if (!given.empty()) without_variables(app);
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    return std::nullopt;
+} catch (const CLI::ParseError& error) {
+    return end_of_parsing(app, error, given, argc, argv);
+} catch (const UsageError& error) {
+    throw UsageError(error.what() + source_of_mistake(error.what(), given));
+}
+
 int run(int argc, char** argv)
 {
     Request request;
     CLI::App app("Tyndall renders fog, smoke and juice with virtual ray lights on any OpenCL device.", "tyndall");
     declare(app, request);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return end_of_parsing(app, error, argc, argv);
+    std::vector<GivenValue> given;
+    const auto arguments = complete({argv + 1, argv + argc}, given);
+    if (const auto code = parse(app, arguments, given, argc, argv)) return *code;
+    if (request.print_config) {
+        const auto scene = scene_of(app, request);
+        return print(config_listing(*app.get_subcommands().front(), given, scene ? &*scene : nullptr));
     }
     std::string invocation = "tyndall";
     for (int i = 1; i < argc; ++i) invocation += " " + shell_quoted(argv[i]);

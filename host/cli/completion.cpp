@@ -1,8 +1,9 @@
-/// Completion for bash, from the table of options.
+/// Completion for shells, from the table of options.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <vector>
 
 #include "cli/manual.hpp"
@@ -44,11 +45,42 @@ std::vector<std::string> option_names(const CLI::App& app)
     return names;
 }
 
-}  // namespace
-
-std::string completion_script(const CLI::App& app, const std::string& shell)
+/// In single quotes, as fish reads them.
+std::string fish_quoted(const std::string& text)
 {
-    if (shell != "bash" && shell != "zsh") throw UsageError("completion for \"" + shell + "\" is not there; bash and zsh are");
+    std::string quoted = "'";
+    for (const char c : text) quoted += c == '\'' || c == '\\' ? std::string("\\") + c : std::string(1, c);
+    return quoted + "'";
+}
+
+/// "complete -c tyndall -n ... -s p -l passes -r -d '...'".
+std::string fish_option(const std::string& condition, const CLI::Option& option, const std::vector<std::pair<std::string, std::string>>& choices)
+{
+    std::string line = "complete -c tyndall -n " + fish_quoted(condition);
+    for (const std::string& name : option.get_snames()) line += " -s " + name;
+    for (const std::string& name : option.get_lnames()) line += " -l " + name;
+    const auto choice = std::ranges::find_if(choices, [&](const auto& c) { return c.first == "--" + option.get_lnames().front(); });
+    if (choice != choices.end()) line += " -x -a " + fish_quoted(choice->second);
+    else if (option.get_expected_max() > 0) line += " -r";
+    return line + " -d " + fish_quoted(option.get_description()) + "\n";
+}
+
+std::string fish_script(const CLI::App& app)
+{
+    std::string text;
+    const auto all_choices = choices();
+    for (const CLI::Option* option : app.get_options())
+        if (!option->get_lnames().empty()) text += fish_option("__fish_use_subcommand", *option, {});
+    for (const CLI::App* command : app.get_subcommands(nullptr)) {
+        text += fmt::format("complete -c tyndall -f -n __fish_use_subcommand -a {} -d {}\n", command->get_name(), fish_quoted(command->get_description()));
+        for (const CLI::Option* option : command->get_options())
+            if (!option->get_lnames().empty()) text += fish_option("__fish_seen_subcommand_from " + command->get_name(), *option, all_choices);
+    }
+    return text + "complete -c tyndall -f -n '__fish_seen_subcommand_from completion' -a 'bash zsh fish'\n";
+}
+
+std::string bash_script(const CLI::App& app, bool zsh)
+{
     std::vector<std::string> commands = option_names(app);
     std::string cases, values;
     for (const CLI::App* command : app.get_subcommands(nullptr)) {
@@ -76,7 +108,16 @@ std::string completion_script(const CLI::App& app, const std::string& shell)
 }}
 complete -o filenames -F _tyndall tyndall
 )",
-                       shell == "zsh" ? "autoload -U +X bashcompinit && bashcompinit\n" : "", words(commands), values, cases);
+                       zsh ? "autoload -U +X bashcompinit && bashcompinit\n" : "", words(commands), values, cases);
+}
+
+}  // namespace
+
+std::string completion_script(const CLI::App& app, const std::string& shell)
+{
+    if (shell == "fish") return fish_script(app);
+    if (shell != "bash" && shell != "zsh") throw UsageError("completion for \"" + shell + "\" is not there; bash, zsh and fish are");
+    return bash_script(app, shell == "zsh");
 }
 
 }  // namespace tyndall

@@ -14,4 +14,7 @@ struct ExplainCommand {
 /// UsageError, NoDeviceError, DeviceError.
 int run_explain(ExplainCommand command);
 
+/// What a render that is about to start would do, printed to standard output as run_explain prints it (JSON: on one line), but without measuring. Devices that it needs must be there. Throws UsageError, NoDeviceError.
+int run_dry(const Scene& scene, RenderSettings settings, bool json);
+
 }  // namespace tyndall

@@ -50,7 +50,8 @@ std::string environment(const CLI::App& app)
     for (const CLI::App* command : app.get_subcommands(nullptr))
         for (const CLI::Option* option : command->get_options())
             if (!option->get_envname().empty()) options.emplace(option->get_envname(), option->get_lnames().front());
-    std::string text = ".SH ENVIRONMENT\n";
+    std::string text = ".SH ENVIRONMENT\nEvery option of \\fBrender\\fR, \\fBanimate\\fR and \\fBexplain\\fR has a variable, for example \\fBTYNDALL_TARGET_ERROR=1%\\fR in place of \\fB\\-\\-target\\-error 1%\\fR, "
+                       "and \\fBTYNDALL_HALF=true\\fR for a flag. The command line wins over variables, variables over the file of \\fB\\-\\-config\\fR, the file over the scene. These stand in for options of other commands too:\n";
     for (const auto& [variable, option] : options) text += fmt::format(".TP\n\\fB{}\\fR\nin place of \\fB{}\\fR, which wins if both are given\n", roff(variable), roff("--" + option));
     return text + ".TP\n\\fBXDG_CACHE_HOME\\fR\nwhere it is remembered that a device has passed its check (\\fB.cache\\fR in the home folder)\n"
                   ".TP\n\\fBSOURCE_DATE_EPOCH\\fR\nif set, images hold nothing of the clock\n";

@@ -4,9 +4,13 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <cstdlib>
+#include <string_view>
+
 #include "cli/calibrated_lanes.hpp"
 #include "cli/checkpoint.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/explain_command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
 #include "cli/version.hpp"
@@ -22,7 +26,9 @@ namespace {
 ProgressStyle chosen_style(const std::optional<ProgressStyle>& wanted)
 {
     if (wanted) return *wanted;
-    return ::isatty(STDERR_FILENO) ? ProgressStyle::bar : ProgressStyle::plain;
+    const char* terminal = std::getenv("TERM");
+    const bool erases = terminal && *terminal && std::string_view(terminal) != "dumb";  // the bar is written over itself
+    return erases && ::isatty(STDERR_FILENO) ? ProgressStyle::bar : ProgressStyle::plain;
 }
 
 int terminal_columns()
@@ -68,11 +74,14 @@ public:
         if (command_.shard.whole()) check_outputs(paths_);
         else check_writable(shard_file_);
         RenderControl control{.program = version(), .shard = command_.shard, .earlier = earlier_state(), .earlier_name = checkpoint_.file().string()};
+        if (command_.dry_run) return run_dry(scene, command_.settings, style_ == ProgressStyle::json);
         command_.settings.stop = &interrupt_.stop();
         print_start(scene, command_.settings, style_);
         control.progress = [&](const Progress& progress, const RenderState& state) { return after_pass(progress, state); };
+        if (command_.viewer) live_.emplace(*command_.viewer, (command_.shard.whole() ? paths_.exr : shard_file_).string());
         const RenderState state = render_state(scene, command_.settings, std::move(control));
         view_.end_line();
+        if (live_ && state.passes() > 0) live_->finish(state.films.back()), tell_of_viewer();
         if (interrupt_.signal()) return write_unfinished(state);
         if (command_.shard.whole() && state.passes() == 0) throw Error("no pass was finished, so there is nothing to write; give more --time");
         write_finished(state, scene);
@@ -99,9 +108,18 @@ private:
     {
         interrupt_.expect_writing();
         view_.show(progress);
+        if (live_) live_->offer(state.films.back()), tell_of_viewer();
         if (interrupt_.take_request()) write_now(state);
         else checkpoint_.after_pass(progress, state);
         return interrupt_.signal() == 0;
+    }
+
+    void tell_of_viewer()
+    {
+        const std::string warning = live_->take_warning();
+        if (warning.empty()) return;
+        view_.end_line();
+        print_warnings({warning});
     }
 
     /// SIGUSR1: a failure is a warning, the render goes on.
@@ -179,6 +197,7 @@ private:
     Checkpoint checkpoint_;
     ProgressView view_;
     InterruptGuard interrupt_;
+    std::optional<LiveView> live_;
 };
 
 }  // namespace

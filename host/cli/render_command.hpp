@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "cli/live_view.hpp"
 #include "cli/outputs.hpp"
 #include "cli/progress_view.hpp"
 #include "pipeline/render_state.hpp"
@@ -25,6 +26,8 @@ struct RenderCommand {
     ShardNumber shard;                          ///< a part of the passes
     std::optional<double> checkpoint_seconds;   ///< between two of them, 0: none; nothing: by rule (cli/checkpoint.hpp)
     bool resume = false;                        ///< go on from the checkpoint, if there is one
+    std::optional<ViewerAddress> viewer;        ///< where the image is shown while it is rendered
+    bool dry_run = false;                       ///< check everything and say what would be done
 };
 
 /// 16 passes where neither passes, a time nor a target error are given.

@@ -193,6 +193,8 @@ void add_output(CLI::App& app, RenderCommand& command)
                                     ProgressStyle::none};
         command.progress = choice == 0 ? std::nullopt : std::optional(styles[choice]);
     })->envname("TYNDALL_PROGRESS");
+    add(app, "--display-server", "HOST:PORT", "show the image in the viewer tev while it is rendered (port 14158)",
+        [&](const auto& text) { command.viewer = parse_viewer("--display-server", text); });
 }
 
 }  // namespace

@@ -1,11 +1,13 @@
 #include "cli/write_image.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/render.hpp"
+#include "report/readable.hpp"
 #include "report/report_output.hpp"
 
 namespace tyndall {
@@ -35,7 +37,8 @@ void print_outputs(const std::string& stopped_by, const std::vector<std::string>
         const nlohmann::ordered_json event{{"event", "finished"}, {"stopped_by", stopped_by}, {"outputs", outputs}};
         fmt::print("{}\n", event.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     } else {
-        for (const auto& output : outputs) fmt::print("{}\n", output);
+        const bool is_shown = ::isatty(STDOUT_FILENO);
+        for (const auto& output : outputs) fmt::print("{}\n", is_shown ? terminal_safe(output) : output);
     }
 }
 

@@ -79,11 +79,39 @@ TEST(Completion, OffersCommandsOptionsAndNames)
     for (const std::string& option : options_of("render")) EXPECT_TRUE(options.contains(option)) << option;
 }
 
+TEST(Completion, FishKnowsEveryCommandAndOption)
+{
+    const std::string script = said({"completion", "fish"});
+    for (const std::string command : commands) {
+        EXPECT_THAT(script, HasSubstr("-a " + command + " -d '")) << command;
+        for (const std::string& option : options_of(command))
+            EXPECT_THAT(script, testing::ContainsRegex("\n[^\n]*__fish_seen_subcommand_from " + command + "'[^\n]* -l " + option.substr(2) + " ")) << command << option;
+    }
+    EXPECT_THAT(script, testing::ContainsRegex("-l sampler -x -a 'auto[^\n]* table-3x2'"));
+    EXPECT_THAT(script, HasSubstr("-s p -l passes -r -d 'stop after N passes"));
+}
+
+TEST(Completion, FishOffersThem)
+{
+    const TemporaryFolder folder;
+    std::ofstream(folder / "tyndall.fish") << said({"completion", "fish"});
+    const auto offers = [&](const std::string& line) {
+        const ProcessResult ran = run_process({"/bin/sh", "-c", "command -v fish >/dev/null || exit 77; HOME=. XDG_DATA_HOME=. fish --no-config -c 'source tyndall.fish; complete -C \"" + line + "\"'"}, {.folder = folder.path()});
+        EXPECT_THAT(ran.exit_code, testing::AnyOf(0, 77)) << ran.err;
+        return ran.exit_code == 77 ? std::string() : ran.out + " ";
+    };
+    if (offers("tyndall rend").empty()) GTEST_SKIP() << "there is no fish";
+    EXPECT_THAT(offers("tyndall rend"), testing::StartsWith("render\t"));
+    EXPECT_THAT(offers("tyndall render --target-e"), testing::StartsWith("--target-error\t"));
+    EXPECT_THAT(offers("tyndall render --sampler table-"), testing::AllOf(HasSubstr("table-3x2"), HasSubstr("table-4x4")));
+    EXPECT_EQ(offers("tyndall merge --target-e").find("--target-error"), std::string::npos);
+}
+
 TEST(Completion, AnotherShellIsRefused)
 {
     const ProcessResult ran = run_process({TYNDALL_PROGRAM, "completion", "tcsh"});
     EXPECT_EQ(ran.exit_code, 2);
-    EXPECT_THAT(ran.err, HasSubstr("bash and zsh"));
+    EXPECT_THAT(ran.err, HasSubstr("bash, zsh and fish"));
 }
 
 }  // namespace
