@@ -12,18 +12,8 @@ SAVES, COSTS, UNSURE = "#2f7d4f", "#b4452c", "#777"
 
 def prices(data):
     """(dial, usual value, [(value, ratio, low, high, significant, biased)])."""
-    last = data["times"][-1]
     for dial in data["dials"]:
-        rows = []
-        for other in dial["others"]:
-            verdict = next((v for v in data["verdicts"] if v["seconds"] == last and {v["better"], v["worse"]} == {dial["usual"], other}), None)
-            name, usual = data["candidates"][other]["name"], data["candidates"][dial["usual"]]["name"]
-            value = name[len(usual) + 3:] if name.startswith(usual + " · ") else name
-            if verdict is None or verdict["high"] is None:
-                continue
-            worse = verdict["worse"] == other
-            ratio, low, high = (verdict[k] for k in ("ratio", "low", "high")) if worse else (1 / verdict["ratio"], 1 / verdict["high"], 1 / verdict["low"])
-            rows.append((value, ratio, low, high, verdict["significant"], data["candidates"][other]["bias"]["significant"]))
+        rows = [(v["value"], *(v["price"][k] for k in ("ratio", "low", "high", "told_apart")), v["biased"]) for v in dial["values"] if v["price"] and v["price"]["high"] is not None]
         if rows:
             yield dial["dial"], dial["usual_value"], rows
 

@@ -7,6 +7,7 @@
 #include "cli/calibrated_lanes.hpp"
 #include "cli/compare_command.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/outputs.hpp"
 #include "cli/version.hpp"
 #include "film/atomic_file.hpp"
 #include "report/readable.hpp"
@@ -20,15 +21,13 @@ namespace tyndall {
 int run_accuracy(const BenchCommand& command)
 {
     const BenchScene& scene = bench_scenes().front();
-    std::error_code error;
-    std::filesystem::create_directories(command.output, error);
-    if (error) throw IoError(fmt::format("{}: the folder cannot be made: {}; name another one with -o", command.output.string(), error.message()));
+    make_folder(command.output);
     write_atomically(command.output / "scene.xml", std::string(scene.text, scene.size));
     CompareCommand compare{.inputs = {command.output / "scene.xml"}, .invocation = command.invocation, .layers = {"media_to_media"}, .json = command.json, .every_dial = true,
                            .repeats = command.repeats, .output = command.output, .resolution = {{64, 64}}};
     compare.settings.device = command.request.device;
-    // Some 30 values, run `repeats` times each, and a reference of 30 such runs.
-    compare.times = {command.seconds.value_or(300) / (30 * (command.repeats + 1))};
+    constexpr int values = 36, reference = 30;  // of which each run is one share: the usual settings and what is turned, and the reference that every_dial's comparisons have
+    compare.times = {command.seconds.value_or(300) / (values * command.repeats + reference)};
     return run_compare(compare);
 }
 

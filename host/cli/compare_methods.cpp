@@ -57,9 +57,7 @@ void complete(CompareCommand& command)
 /// Makes the folder, and finds out before an hour of measuring whether its files can be written.
 void prepare_output(const fs::path& folder)
 {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw IoError(fmt::format("{}: the folder cannot be made: {}; name another one with -o", folder.string(), error.message()));
+    make_folder(folder);
     for (const char* file : {"index.html", "comparison.json", "reference.exr"}) check_writable(folder / file);
 }
 

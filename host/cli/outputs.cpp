@@ -84,6 +84,13 @@ fs::path plan_shard(const fs::path& scene, const fs::path& output, int number, i
     return file;
 }
 
+void make_folder(const std::filesystem::path& folder)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw IoError(fmt::format("{}: the folder cannot be made: {}; name another one with -o", folder.string(), error.message()));
+}
+
 void check_outputs(const OutputPaths& paths)
 {
     for (const auto& path : {paths.exr, paths.png, paths.report}) check_writable(path);

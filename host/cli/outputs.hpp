@@ -19,6 +19,9 @@ OutputPaths plan_outputs(const std::filesystem::path& scene, const std::filesyst
 /// The shard file: `output` (its name ends in .shard) or, if that is empty, the scene file's stem with the shard's number, "fog.03-of-16.shard". Throws UsageError for another ending.
 std::filesystem::path plan_shard(const std::filesystem::path& scene, const std::filesystem::path& output, int number, int of);
 
+/// Makes the folder of several files, which -o names, and those around it. Throws IoError.
+void make_folder(const std::filesystem::path& folder);
+
 /// Throws IoError if one of them could not be written now, so that nothing is lost after an hour of rendering.
 void check_outputs(const OutputPaths& paths);
 

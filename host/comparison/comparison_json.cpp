@@ -129,10 +129,29 @@ Json verdicts_of(const Comparison& c)
     return verdicts;
 }
 
+Json price_of(const std::optional<Price>& price)
+{
+    if (!price) return nullptr;
+    const bool known = price->high > 0;
+    return {{"ratio", number(price->ratio)}, {"low", known ? number(price->low) : Json(nullptr)}, {"high", known ? number(price->high) : Json(nullptr)}, {"told_apart", price->significant}};
+}
+
+/// A dial's other values, each with its price beside the usual one at the longest time.
+Json values_of(const Comparison& c, const DialSweep& sweep)
+{
+    Json values = Json::array();
+    for (const std::size_t other : sweep.others)
+        values.push_back({{"candidate", other},
+                          {"value", value_name(c.measurements[sweep.usual].candidate.name, c.measurements[other].candidate.name)},
+                          {"biased", c.judgement.summaries[other].bias.significant()},
+                          {"price", price_of(price(c.judgement, other, sweep.usual, c.plan.times.back()))}});
+    return values;
+}
+
 Json dials_of(const Comparison& c)
 {
     Json dials = Json::array();
-    for (const DialSweep& sweep : c.sweeps) dials.push_back({{"dial", sweep.name}, {"usual_value", sweep.usual_value}, {"usual", sweep.usual}, {"others", sweep.others}});
+    for (const DialSweep& sweep : c.sweeps) dials.push_back({{"dial", sweep.name}, {"usual_value", sweep.usual_value}, {"usual", sweep.usual}, {"values", values_of(c, sweep)}});
     return dials;
 }
 

@@ -20,15 +20,10 @@ std::string error_text(const ErrorAt& at)
 /// "1.9 (1.6 to 2.3)" times the relMSE of the usual value, or what keeps it from being told.
 std::string price_text(const Comparison& c, const DialSweep& sweep, std::size_t other)
 {
-    const auto verdict = std::ranges::find_if(c.judgement.verdicts, [&](const Verdict& v) {
-        return v.seconds == c.plan.times.back() && ((v.better == sweep.usual && v.worse == other) || (v.worse == sweep.usual && v.better == other));
-    });
-    if (verdict == c.judgement.verdicts.end()) return "no pass yet";
-    const bool worse = verdict->worse == other;
-    const double ratio = worse ? verdict->ratio : 1 / verdict->ratio;
-    if (!(verdict->high > 0)) return fmt::format("{:.3g}, without an error bar", ratio);
-    const double low = worse ? verdict->low : 1 / verdict->high, high = worse ? verdict->high : 1 / verdict->low;
-    return fmt::format("{:.3g} ({:.3g} to {:.3g}){}", ratio, low, high, verdict->significant ? "" : ", not told apart");
+    const auto p = price(c.judgement, other, sweep.usual, c.plan.times.back());
+    if (!p) return "no pass yet";
+    if (!(p->high > 0)) return fmt::format("{:.3g}, without an error bar", p->ratio);
+    return fmt::format("{:.3g} ({:.3g} to {:.3g}){}", p->ratio, p->low, p->high, p->significant ? "" : ", not told apart");
 }
 
 /// A row per value of a dial.

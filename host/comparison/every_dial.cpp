@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include "lights/light_technique.hpp"
+#include "pipeline/layer_plan.hpp"
 #include "tyndall/error.hpp"
 #include "tyndall/setting_names.hpp"
 
 namespace tyndall {
 namespace {
+
+constexpr std::string_view set_on = " · ";
 
 struct Builder {
     EveryDial all;
@@ -18,7 +21,7 @@ struct Builder {
         if (values.empty()) return;
         DialSweep sweep{name, usual_value, usual, {}};
         for (const DialValue& value : values) {
-            Candidate candidate{fmt::format("{} · {}", all.candidates[usual].name, value.name), all.candidates[usual].settings};
+            Candidate candidate{all.candidates[usual].name + std::string(set_on) + value.name, all.candidates[usual].settings};
             value.set(candidate.settings);
             sweep.others.push_back(all.candidates.size());
             all.candidates.push_back(std::move(candidate));
@@ -89,6 +92,13 @@ void add_lights_and_kernels(Builder& b, const UsualValues& usual)
     b.add_named("kernel arithmetic", math_names, {KernelMath::fast}, KernelMath::strict, &RenderSettings::math);
 }
 
+/// In the first pass, of the lights of a method that have one.
+double usual_radius(Method method)
+{
+    const Recipe recipe = recipe_of(method);
+    return recipe.gathered.empty() ? recipe.connected->usual_radius : recipe.gathered.front().technique->usual_radius;
+}
+
 /// Clamps and radii, around the biased methods of the first sweep.
 void add_bounds(Builder& b)
 {
@@ -98,12 +108,12 @@ void add_bounds(Builder& b)
         if (is_clamped(method)) {
             std::vector<DialValue> values;
             for (const double clamp : {10., 1000.}) values.push_back({fmt::format("clamp {:g}", clamp), [=](RenderSettings& s) { s.clamp = clamp; }});
-            b.add(fmt::format("clamp of {}", method.name()), i, "100", values);
+            b.add(fmt::format("clamp of {}", method.name()), i, fmt::format("{:g}", usual_clamp), values);
         }
         if (is_thick(method)) {
             std::vector<DialValue> values;
-            for (const double radius : {.02, .1}) values.push_back({fmt::format("radius {:g}", radius), [=](RenderSettings& s) { s.beam_radius = radius; }});
-            b.add(fmt::format("radius of {}", method.name()), i, ".05", values);
+            for (const double radius : {.4 * usual_radius(method), 2 * usual_radius(method)}) values.push_back({fmt::format("radius {:g}", radius), [=](RenderSettings& s) { s.beam_radius = radius; }});
+            b.add(fmt::format("radius of {}", method.name()), i, fmt::format("{:g}", usual_radius(method)), values);
         }
     }
 }
@@ -126,6 +136,13 @@ EveryDial every_dial(const RenderSettings& base, const UsualValues& usual)
     add_bounds(b);
     add_lights_and_kernels(b, usual);
     return std::move(b.all);
+}
+
+std::string value_name(std::string_view usual, std::string_view candidate)
+{
+    const std::string start = std::string(usual) + std::string(set_on);
+    if (candidate.starts_with(start)) candidate.remove_prefix(start.size());
+    return std::string(candidate);
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> pairs_of(const std::vector<DialSweep>& sweeps)

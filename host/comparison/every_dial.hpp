@@ -30,6 +30,9 @@ struct EveryDial {
 /// that mean the same in this scene, or that the device cannot do, are left out. Throws UsageError for a method without virtual lights.
 EveryDial every_dial(const RenderSettings& base, const UsualValues& usual);
 
+/// Name of a value: its candidate's, without the name of the usual one that it was set on.
+std::string value_name(std::string_view usual, std::string_view candidate);
+
 /// The pairs that a table of dials tells apart: each value and the usual one.
 std::vector<std::pair<std::size_t, std::size_t>> pairs_of(const std::vector<DialSweep>& sweeps);
 

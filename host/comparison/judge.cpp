@@ -137,6 +137,16 @@ Judgement judge(const std::vector<Measurement>& measurements, const Reference& r
     return judgement;
 }
 
+std::optional<Price> price(const Judgement& judgement, std::size_t of, std::size_t beside, double seconds)
+{
+    for (const Verdict& v : judgement.verdicts) {
+        if (v.seconds != seconds) continue;
+        if (v.worse == of && v.better == beside) return Price{v.ratio, v.low, v.high, v.significant};
+        if (v.better == of && v.worse == beside) return v.high > 0 ? Price{1 / v.ratio, 1 / v.high, 1 / v.low, v.significant} : Price{1 / v.ratio, 0, 0, false};
+    }
+    return {};
+}
+
 std::string sentence(const Verdict& verdict, const std::vector<Measurement>& measurements)
 {
     const std::string &better = measurements[verdict.better].candidate.name, &worse = measurements[verdict.worse].candidate.name;

@@ -51,6 +51,15 @@ std::vector<std::pair<std::size_t, std::size_t>> all_pairs(std::size_t candidate
 /// `pairs`: indices of measurements that are to be told apart. Every measurement has the same positive number of runs. With one run each nothing is ever significant; nor is what lies at the reference's own noise.
 Judgement judge(const std::vector<Measurement>& measurements, const Reference& reference, const std::vector<double>& times, const std::vector<std::pair<std::size_t, std::size_t>>& pairs);
 
+/// What a candidate needs beside another: relMSE over the other's at one time.
+struct Price {
+    double ratio = 1, low = 0, high = 0;  ///< with the verdict's interval; high 0: unknown
+    bool significant = false;
+};
+
+/// The verdict on two candidates at a time, seen from `of`; nothing where one of them has no error then, or nobody asked.
+std::optional<Price> price(const Judgement& judgement, std::size_t of, std::size_t beside, double seconds);
+
 /// "path has 3.1 (2.2 to 4.4) times the relMSE of vrl at 6 s", or that the bars do not tell them apart.
 std::string sentence(const Verdict& verdict, const std::vector<Measurement>& measurements);
 

@@ -48,11 +48,13 @@ public:
     {
         for (bool first = true; largest(throughput_) > 0; first = false) {
             const RayWalk walk = visibility_.walk(ray_, medium_);
+            const bool scatters = may_scatter() && (settings_.segments || settings_.points);
+            look_through(walk, scatters);
             if (first && first_sample_) note_features(walk);
-            if (!may_scatter() || !(settings_.segments || settings_.points)) return;
+            if (!scatters) return;
             add_segments(walk);
             if (!walk.found) return;
-            throughput_ *= transmittance_of(scene_, walk);
+            throughput_ *= glm::exp(-depth_);
             const SurfaceParts parts = parts_at(scene_, {.hit = walk.surface, .in = ray_.direction});
             if (parts.lambertian) return add_point(walk);
             if (!parts.specular || !pass_specular(walk)) return;
@@ -60,7 +62,24 @@ public:
     }
 
 private:
-    bool may_scatter() const { return settings_.max_depth < 0 || depth_ + settings_.vertices_to_come <= settings_.max_depth - 1; }
+    bool may_scatter() const { return settings_.max_depth < 0 || vertices_ + settings_.vertices_to_come <= settings_.max_depth - 1; }
+
+    /// What lies along the pieces, where somebody will ask: once, because a walk through a grid is what a camera path costs most.
+    void look_through(const RayWalk& walk, bool scatters)
+    {
+        stretches_.clear();
+        depth_ = Rgb(0);
+        if (!scatters || !(settings_.segments || walk.found)) return;
+        for (const MediumPiece& piece : walk.pieces) {
+            stretches_.push_back(piece.medium == vacuum ? LitStretch{} : lit_stretch(scene_, line_of(walk, piece)));
+            depth_ += stretches_.back().whole;
+        }
+    }
+
+    MediumLine line_of(const RayWalk& walk, const MediumPiece& piece) const
+    {
+        return {.medium = scene_.media[static_cast<std::size_t>(piece.medium)], .origin = walk.origin, .direction = walk.direction, .t0 = piece.t0, .t1 = piece.t1};
+    }
 
     uint next_key() { return static_cast<uint>(random_.next() * 4294967296.0); }
 
@@ -72,35 +91,36 @@ private:
             features_.normal[pixel_] = side * walk.surface.shading_normal;
             features_.albedo[pixel_] = diffuse_reflectance(scene_, walk.surface, ray_.direction);
         }
-        for (const MediumPiece& piece : walk.pieces)
-            if (piece.medium != vacuum && extinguishes(walk, piece)) {
-                features_.albedo[pixel_] = scene_.media[static_cast<std::size_t>(piece.medium)].albedo;
+        for (std::size_t i = 0; i < walk.pieces.size(); ++i)
+            if (walk.pieces[i].medium != vacuum && extinguishes(walk, i)) {
+                features_.albedo[pixel_] = scene_.media[static_cast<std::size_t>(walk.pieces[i].medium)].albedo;
                 return;
             }
     }
 
     /// Does the piece run through something that its medium is made of?
-    bool extinguishes(const RayWalk& walk, const MediumPiece& piece) const
+    bool extinguishes(const RayWalk& walk, std::size_t piece) const
     {
-        const Medium& medium = scene_.media[static_cast<std::size_t>(piece.medium)];
-        if (medium.density == none) return medium.sigma_t != Rgb(0);
-        const MediumLine line{.medium = medium, .origin = walk.origin, .direction = walk.direction, .t0 = piece.t0, .t1 = piece.t1};
+        const MediumLine line = line_of(walk, walk.pieces[piece]);
+        if (line.medium.density == none) return line.medium.sigma_t != Rgb(0);
+        if (!stretches_.empty()) return largest(stretches_[piece].whole) > 0;
         return reach_depth(scene_, line, 0, 0).reached || reach_depth(scene_, line, 1, 0).reached || reach_depth(scene_, line, 2, 0).reached;
     }
 
     void add_segments(const RayWalk& walk)
     {
         Rgb throughput = throughput_;
-        for (const MediumPiece& piece : walk.pieces) {
+        for (std::size_t i = 0; i < walk.pieces.size(); ++i) {
+            const MediumPiece& piece = walk.pieces[i];
             if (piece.medium == vacuum) continue;
             const uint key = next_key();  // also if nobody asks for segments: the numbers that follow are the same then
             if (!settings_.segments) continue;
             const Medium& medium = scene_.media[static_cast<std::size_t>(piece.medium)];
-            const LitStretch lit = lit_stretch(scene_, {.medium = medium, .origin = ray_.origin, .direction = ray_.direction, .t0 = piece.t0, .t1 = piece.t1});
+            const LitStretch& lit = stretches_[i];
             const Vec3 origin = ray_.origin + lit.start * ray_.direction, d = ray_.direction;
             if (lit.length > 0 && largest(throughput * medium.sigma_s()) > 0)
                 row_.segments.push_back({f(origin.x), f(origin.y), f(origin.z), f(lit.length), f(d.x), f(d.y), f(d.z), static_cast<uint>(piece.medium), f(throughput.r),
-                                         f(throughput.g), f(throughput.b), static_cast<uint>(depth_), pixel_, key, 0, 0});
+                                         f(throughput.g), f(throughput.b), static_cast<uint>(vertices_), pixel_, key, 0, 0});
             throughput *= glm::exp(-lit.whole);
         }
     }
@@ -113,7 +133,7 @@ private:
         const Vec3 facing = side * walk.surface.geometric_normal, normal = side * walk.surface.shading_normal;
         const Vec3 position = visibility_.leave(walk.surface, facing);
         row_.points.push_back({f(position.x), f(position.y), f(position.z), walk.medium == vacuum ? NO_MEDIUM : static_cast<uint>(walk.medium), f(normal.x), f(normal.y),
-                               f(normal.z), static_cast<uint>(depth_), f(reflected.r), f(reflected.g), f(reflected.b), pixel_, f(facing.x), f(facing.y), f(facing.z),
+                               f(normal.z), static_cast<uint>(vertices_), f(reflected.r), f(reflected.g), f(reflected.b), pixel_, f(facing.x), f(facing.y), f(facing.z),
                                next_key()});
     }
 
@@ -121,7 +141,7 @@ private:
     {
         const BsdfSample next = sample_specular(scene_, {.hit = walk.surface, .in = ray_.direction}, random_.next2());
         throughput_ *= next.weight;
-        if (++depth_ >= roulette_depth) {
+        if (++vertices_ >= roulette_depth) {
             const double survival = std::min(largest(throughput_), most_survival);
             if (random_.next() >= survival) return false;
             throughput_ /= survival;
@@ -140,7 +160,9 @@ private:
     bool first_sample_;
     RandomSequence random_;
     Ray ray_;
-    int medium_ = vacuum, depth_ = 0;
+    int medium_ = vacuum, vertices_ = 0;
+    boost::container::small_vector<LitStretch, 8> stretches_;  ///< of the pieces of the present ray
+    Rgb depth_{0};                                             ///< optical depth of all of them
     double along_axis_ = 1, near_ = 0;
     Rgb throughput_{1};
 };

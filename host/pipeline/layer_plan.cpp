@@ -89,8 +89,6 @@ void share_with_paths(Layer layer, const SceneFeatures& features, bool diffuse, 
     report.why = diffuse ? lights + " to diffuse surfaces; paths to " + where_no_lobes_are_known : std::string("the surfaces are ") + where_no_lobes_are_known;
 }
 
-constexpr double usual_clamp = 100, usual_radius = .05;  ///< connections shorter than a tenth, beams of a twentieth of the scene's half diagonal
-
 std::string radius_text(std::string_view lights, double radius, int dimensions)
 {
     return fmt::format("{} have a radius of {:.3g} of the scene's half diagonal in the first pass, which falls as the {} root of the pass", lights, radius, dimensions == 1 ? "cube" : "sixth");
@@ -107,7 +105,7 @@ std::string plan_bias(const Scene& scene, const RenderSettings& settings, const 
         return fmt::format("1/w^2 of a connection is at most {:g} over the square of the scene's half diagonal: light over less than {:.3g} of it is dimmed", clamp, 1 / std::sqrt(clamp));
     }
     if (!plan.technique->is_thick) return {};
-    const double radius = settings.beam_radius.value_or(usual_radius);
+    const double radius = settings.beam_radius.value_or(plan.technique->usual_radius);
     plan.radius = size > 0 ? radius * size : radius;
     return radius_text("beams", radius, 1);
 }

@@ -11,6 +11,9 @@
 
 namespace tyndall {
 
+/// Of connections where no other clamp is given: those shorter than a tenth of the scene's half diagonal are dimmed.
+inline constexpr double usual_clamp = 100;
+
 /// Layers by density estimation, with one kind of light.
 struct GatherPlan {
     const LightTechnique* technique = nullptr;

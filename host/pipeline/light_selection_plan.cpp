@@ -11,16 +11,8 @@ namespace {
 
 constexpr std::uint32_t usual_lights = 2048, usual_slots = 64, usual_candidates = 4096;
 constexpr std::uint32_t fewest_lights = 512;  ///< to choose from: of fewer the estimates cost more than they save
-constexpr double pixel_seconds = 1.3e-6;      ///< a pixel's part of such a pass on a CPU of two cores
-constexpr double fewest_passes = 12;          ///< so that the error bar means something
 
-/// Is there time for a dozen passes of many lights?
-bool has_time(const RenderSettings& settings, const Camera& camera)
-{
-    return settings.seconds <= 0 || settings.seconds >= fewest_passes * pixel_seconds * camera.crop_width * camera.crop_height;
-}
-
-void decide(const RenderSettings& settings, const Camera& camera, SelectionPlan& plan)
+void decide(const RenderSettings& settings, SelectionPlan& plan)
 {
     plan.chosen = settings.selection == Selection::tile;
     if (settings.selection != Selection::automatic) plan.why = "asked for";
@@ -28,8 +20,7 @@ void decide(const RenderSettings& settings, const Camera& camera, SelectionPlan&
         plan.chosen = settings.lights >= fewest_lights;
         plan.why = fmt::format("{} lights per pass, choosing pays from {} on", settings.lights, fewest_lights);
     } else {
-        plan.chosen = has_time(settings, camera);
-        plan.why = plan.chosen ? "wins at equal time" : "so short a render is better spent on many small passes";
+        plan.chosen = true, plan.why = "wins at equal time";
     }
 }
 
@@ -38,7 +29,7 @@ void decide(const RenderSettings& settings, const Camera& camera, SelectionPlan&
 SelectionPlan plan_selection(const RenderSettings& settings, const Camera& camera)
 {
     SelectionPlan plan;
-    decide(settings, camera, plan);
+    decide(settings, plan);
     plan.camera_samples = settings.camera_samples > 0 ? settings.camera_samples : 1;
     plan.lights = settings.lights ? settings.lights : plan.chosen ? usual_lights : default_lights(camera, settings.seconds);
     const std::uint32_t wanted = settings.selected_lights ? settings.selected_lights : usual_slots, samples = static_cast<std::uint32_t>(plan.camera_samples);

@@ -26,7 +26,8 @@ struct SelectionPlan {
 
 /// The settings' wishes, and where they leave something open a fixed rule of image size and time budget, never of a clock, so that the bytes do not depend on
 /// the machine (host/docs/performance.md has the measurements): 2048 lights of which each pixel is connected to 64, chosen by an estimate per 8 x 8 pixels; all
-/// lights if fewer than 512 are asked for, or if the time budget is less than twelve such passes (default_lights).
+/// lights if fewer than 512 are asked for. How many there are where all are connected follows the time budget (default_lights); a choice has its 2048 in the shortest render, because one pass of it
+/// leaves a quarter of the error that the same time leaves in many passes of few lights.
 SelectionPlan plan_selection(const RenderSettings& settings, const Camera& camera);
 
 /// The settings with the plan written into them: for a render of another film size or time that is to have the same lights and choice.

@@ -9,7 +9,7 @@ function logarithmicTicks(low, high) {
 }
 
 function makeChart(holder, legend, live) {
-  const turned = new Set((data.dials ?? []).slice(1).flatMap((sweep) => sweep.others));  // values of dials have charts of their own; the legend shows them here too
+  const turned = new Set((data.dials ?? []).slice(1).flatMap((sweep) => sweep.values.map((v) => v.candidate)));  // values of dials have charts of their own; the legend shows them here too
   const shown = data.candidates.map((_, i) => !turned.has(i));
   const curves = data.candidates.map((candidate) => candidate.curve.filter((p) => p.relative_mse && p.relative_mse.median > 0));
   const grid = [...new Set(curves.flat().map((p) => p.seconds))].sort((a, b) => a - b);

@@ -1,28 +1,13 @@
 // Every dial by itself: curves of its values beside the usual one, and what each is worth.
 "use strict";
 
-/** relMSE of a value over that of the usual one at the longest time, as {ratio, low, high, significant}; null where it is not known. */
-function priceOf(sweep, other) {
-  const v = data.verdicts.find((w) => w.seconds === data.times.at(-1) && [w.better, w.worse].includes(other) && [w.better, w.worse].includes(sweep.usual));
-  if (!v) return null;
-  const known = v.high !== null;
-  if (v.worse === other) return {ratio: v.ratio, low: known ? v.low : null, high: known ? v.high : null, significant: v.significant};
-  return {ratio: 1 / v.ratio, low: known ? 1 / v.high : null, high: known ? 1 / v.low : null, significant: v.significant};
-}
-
-/** Name of a value without the candidate that it was set on. */
-function valueName(sweep, index) {
-  const name = data.candidates[index].name, start = data.candidates[sweep.usual].name + " · ";
-  return name.startsWith(start) ? name.slice(start.length) : name;
-}
-
 /** Error against time for the values of one dial; all dials share their axes, so that they can be compared by eye. */
 function dialChart(sweep, range) {
   const width = 330, height = 200, margin = {left: 46, right: 12, top: 8, bottom: 34};
   const x = (t) => margin.left + Math.log(t / range.t[0]) / Math.log(range.t[1] / range.t[0]) * (width - margin.left - margin.right);
   const y = (e) => margin.top + Math.log(range.e[1] / e) / Math.log(range.e[1] / range.e[0]) * (height - margin.top - margin.bottom);
-  const members = [sweep.usual, ...sweep.others];
-  const svg = el("svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Error against time for ${sweep.dial}: ${[sweep.usual_value, ...sweep.others.map((i) => valueName(sweep, i))].join(", ")}`});
+  const members = [sweep.usual, ...sweep.values.map((v) => v.candidate)];
+  const svg = el("svg", {viewBox: `0 0 ${width} ${height}`, role: "img", "aria-label": `Error against time for ${sweep.dial}: ${[sweep.usual_value, ...sweep.values.map((v) => v.value)].join(", ")}`});
   for (const t of logarithmicTicks(...range.t)) svg.append(el("line", {class: "grid", x1: x(t), x2: x(t), y1: margin.top, y2: height - margin.bottom}), el("text", {x: x(t), y: height - margin.bottom + 15, "text-anchor": "middle"}, short(t)));
   for (const e of logarithmicTicks(...range.e)) svg.append(el("line", {class: "grid", x1: margin.left, x2: width - margin.right, y1: y(e), y2: y(e)}), el("text", {x: margin.left - 6, y: y(e) + 4, "text-anchor": "end"}, short(e) + " %"));
   svg.append(el("text", {x: (margin.left + width - margin.right) / 2, y: height - 4, "text-anchor": "middle"}, "seconds"));
@@ -37,17 +22,17 @@ function dialChart(sweep, range) {
     svg.append(group);
   });
   const key = (k, text) => el("span", {}, el("span", {class: "key", style: `background:${colour(k)}`}), text);
-  return el("figure", {class: "dial"}, el("figcaption", {}, el("b", {}, sweep.dial), " ", el("span", {class: "keys"}, key(0, sweep.usual_value + ", usual"), sweep.others.map((i, k) => key(k + 1, valueName(sweep, i))))), svg);
+  return el("figure", {class: "dial"}, el("figcaption", {}, el("b", {}, sweep.dial), " ", el("span", {class: "keys"}, key(0, sweep.usual_value + ", usual"), sweep.values.map((v, k) => key(k + 1, v.value)))), svg);
 }
 
 function dialsTable(holder) {
-  const rows = data.dials.flatMap((sweep) => sweep.others.map((other) => ({sweep, other, price: priceOf(sweep, other), candidate: data.candidates[other]})));
+  const rows = data.dials.flatMap((sweep) => sweep.values.map(({value, candidate, price}) => ({sweep, instead: value, price, candidate: data.candidates[candidate]})));
   sortable(holder, [{head: "dial", value: (r) => r.sweep.dial, cell: (r) => r.sweep.dial},
     {head: "usual", value: (r) => r.sweep.usual_value, cell: (r) => r.sweep.usual_value},
-    {head: "instead", value: (r) => valueName(r.sweep, r.other), cell: (r) => valueName(r.sweep, r.other)},
+    {head: "instead", value: (r) => r.instead, cell: (r) => r.instead},
     {head: "times as long for the same error", title: "relMSE over that of the usual value, at equal time", value: (r) => r.price?.ratio, cell: (r) => {
       if (!r.price) return el("td", {}, "no pass yet");
-      const chip = r.price.significant ? el("span", {class: "chip" + (r.price.ratio > 1 ? " warn" : "")}, r.price.ratio > 1 ? "costs" : "saves") : el("span", {class: "chip plain"}, "not told apart");
+      const chip = r.price.told_apart ? el("span", {class: "chip" + (r.price.ratio > 1 ? " warn" : "")}, r.price.ratio > 1 ? "costs" : "saves") : el("span", {class: "chip plain"}, "not told apart");
       return el("td", {}, short(r.price.ratio), chip, el("small", {}, r.price.high === null ? "no error bar" : `${short(r.price.low)} to ${short(r.price.high)}`));
     }},
     {head: `error at ${seconds(data.times.at(-1))}`, value: (r) => r.candidate.at_times.at(-1).relative_mse?.median, cell: (r) => {

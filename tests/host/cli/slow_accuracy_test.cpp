@@ -17,7 +17,7 @@ TEST_F(Accuracy, EveryDialIsPricedOnTheSceneThatComesAlong)
     const Json json = Json::parse(result.out);
     ASSERT_GE(json.at("dials").size(), 10u);
     std::size_t values = 0;
-    for (const Json& dial : json.at("dials")) values += dial.at("others").size();
+    for (const Json& dial : json.at("dials")) values += dial.at("values").size();
     EXPECT_EQ(json.at("candidates").size(), values + 1);
     EXPECT_LE(json.at("verdicts").size(), values) << "pairs with the usual value alone";
     EXPECT_EQ(json.at("candidates").at(0).at("name"), "vrl");

@@ -86,5 +86,21 @@ TEST(EveryDial, FewerPairsMakeNarrowerIntervals)
     EXPECT_GT(of_one.verdicts[0].low, of_all.verdicts[0].low);
 }
 
+TEST(EveryDial, APriceIsAVerdictSeenFromEitherSide)
+{
+    Judgement judgement;
+    judgement.verdicts = {{.better = 0, .worse = 1, .seconds = 2, .ratio = 4, .low = 2, .high = 8, .significant = true}, {.better = 2, .worse = 0, .seconds = 2, .ratio = 5}};
+    const auto dear = price(judgement, 1, 0, 2), cheap = price(judgement, 0, 1, 2), unknown = price(judgement, 0, 2, 2);
+    ASSERT_TRUE(dear && cheap && unknown);
+    EXPECT_EQ(std::vector({dear->ratio, dear->low, dear->high}), std::vector({4., 2., 8.}));
+    EXPECT_EQ(std::vector({cheap->ratio, cheap->low, cheap->high}), std::vector({.25, .125, .5}));
+    EXPECT_TRUE(dear->significant && cheap->significant);
+    EXPECT_EQ(unknown->ratio, 5);
+    EXPECT_EQ(unknown->high, 0) << "one run has no interval";
+    EXPECT_FALSE(price(judgement, 1, 0, 6) || price(judgement, 1, 2, 2)) << "nobody asked";
+    EXPECT_EQ(value_name("vrl", "vrl · 16 lanes"), "16 lanes");
+    EXPECT_EQ(value_name("vrl", "vrlx"), "vrlx");
+}
+
 }  // namespace
 }  // namespace tyndall::test
