@@ -50,6 +50,7 @@ namespace tyndall::maths_float {
 #undef SURFACE_ROD_H
 #undef BLUR_H
 #undef EYE_AND_LIGHT_H
+#undef POINT_LIGHT_H
 #undef RAY_LIGHT_H
 #undef LINEAR_PIECE_H
 #undef MIS_H

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -122,13 +123,25 @@ void parse_layers(std::string_view option, const std::string& text, LayerSet& la
     }
 }
 
+/// Why a layer is not given to that method, and who carries it.
+std::string why_not(const std::string& layer, Method method)
+{
+    const auto which = static_cast<Layer>(std::find(layer_names.begin(), layer_names.end(), layer) - layer_names.begin());
+    const bool all = layer == "all";
+    if (!all && !lights_for(which, recipe_of(method)))
+        return fmt::format("{} do not carry {}; --method {} does, and {}=path path-traces it", recipe_of(method).title, layer, fmt::join(methods_that_carry(which), ", "), layer);
+    return fmt::format("a layer of its own can be given to path only; --method {} sets the kind of light for all layers", method.name());
+}
+
 void parse_layer_wishes(std::string_view option, const std::string& text, LayerWishes& wishes)
 {
     for (const auto& part : split(text, ',')) {
         const auto sign = part.find('=');
         const std::string how = sign == std::string::npos ? "" : part.substr(sign + 1);
-        if (sign != std::string::npos && how != "path") refuse(option, part, "a layer of its own can be given to path only; --method sets the kind of light for all");
-        parse_layers(option, part.substr(0, sign), how.empty() ? wishes.named : wishes.by_path);
+        LayerSet& asked = sign == std::string::npos ? wishes.named : wishes.by_path;
+        parse_layers(option, part.substr(0, sign), asked);
+        if (sign == std::string::npos || how == "path") continue;
+        refuse(option, part, why_not(part.substr(0, sign), parse_method(option, how)));
     }
 }
 

@@ -18,7 +18,7 @@ std::vector<StageCost> stage_costs(const Report& report)
     for (const StageTime& stage : report.stages) {
         const std::string part = stage.stage.substr(stage.stage.find('.') + 1);
         if (is_one_of(stage.stage, {"trace_lights", "trace_eyes", "trace_paths", "single"})) trace += stage.seconds;
-        else if (is_one_of(stage.stage, {"media_to_media", "media_to_surface"})) connect += stage.seconds;
+        else if (is_one_of(stage.stage, {"media_to_media", "media_to_surface", "surface_to_media", "surface_indirect"})) connect += stage.seconds;
         else if (stage.stage == "shadow_segments") shadow += stage.seconds;
         else if (part == "accumulate_pairs") accumulate += stage.seconds;
         else if (part != stage.stage) sample += stage.seconds;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "transport/bsdf.hpp"
 #include "transport/emitter.hpp"
@@ -105,9 +106,19 @@ private:
         const Rgb flux = throughput_ * flight.weight;
         if (!(largest(flux) > 0) || !parts_at(scene_, {.hit = walk.surface, .in = ray_.direction}).lambertian) return;
         const double side = glm::dot(walk.surface.geometric_normal, ray_.direction) < 0 ? 1 : -1;
-        arrive(LightPathArrival{.position = walk.surface.position, .direction = ray_.direction, .facing = side * walk.surface.geometric_normal, .flux = flux, .depth = depth_,
-                                .radius = settings_.radius},
+        const Vec3 facing = side * walk.surface.geometric_normal, normal = side * walk.surface.shading_normal;
+        arrive(LightPathArrival{.position = walk.surface.position, .direction = ray_.direction, .facing = facing, .flux = flux, .depth = depth_, .radius = settings_.radius,
+                                .off_surface = visibility_.leave(walk.surface, facing), .normal = normal, .reflected = flux * reflected_share(walk.surface, facing, normal),
+                                .medium = walk.medium == vacuum ? static_cast<int>(scene_.media.size()) : walk.medium},
                history_.layer(true));
+    }
+
+    /// Of the power that arrives, what goes on per steradian and cosine.
+    Rgb reflected_share(const Hit& hit, const Vec3& facing, const Vec3& normal) const
+    {
+        const double over_surface = -glm::dot(ray_.direction, facing), over_shading = -glm::dot(ray_.direction, normal);
+        if (!(over_surface > 0) || !(over_shading > 0)) return Rgb(0);
+        return diffuse_reflectance(scene_, hit, ray_.direction) * (std::numbers::inv_pi * over_shading / over_surface);
     }
 
     bool scatter_in_medium(const RayWalk& walk, const FreeFlight& flight)
@@ -181,8 +192,13 @@ static VirtualLights joined(const std::vector<std::vector<std::byte>>& chunks, c
 VirtualLights trace_lights(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, const LightTracingSettings& settings)
 {
     std::vector<std::vector<std::byte>> chunks((settings.paths + chunk_paths - 1) / chunk_paths);
-    for_each_path(scene, visibility, settings, [&](std::uint64_t chunk, const LightPathSegment& segment, Layer) { technique.deposit(segment, chunks[chunk]); },
-                  [](std::uint64_t, const LightPathArrival&, Layer) {});
+    for_each_path(scene, visibility, settings,
+                  [&](std::uint64_t chunk, const LightPathSegment& segment, Layer) {
+                      if (technique.deposit) technique.deposit(segment, chunks[chunk]);
+                  },
+                  [&](std::uint64_t chunk, const LightPathArrival& arrival, Layer) {
+                      if (technique.arrive) technique.arrive(arrival, chunks[chunk]);
+                  });
     return joined(chunks, technique);
 }
 

@@ -2,6 +2,7 @@
 /// What the pipeline knows of a kind of virtual light: how a light path becomes records. Everything else about it is in kernels/lights/<name>.h.
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -32,6 +33,10 @@ struct LightPathArrival {
     Rgb flux;                  ///< power that it brings / number of paths
     int depth;                 ///< scattering vertices before this one
     double radius;             ///< as a piece's
+    Vec3 off_surface{0};       ///< the position, moved off the surface to that side
+    Vec3 normal{0};            ///< shading normal of that side, unit
+    Rgb reflected{0};          ///< power that goes on from there, per steradian and cosine at the geometric normal: flux x reflectance / pi x (cosine of arrival at the shading over that at the geometric normal)
+    int medium = 0;            ///< in front of the surface; the number of media for vacuum
 };
 
 /// What a kind of light is to eyes: they are connected to it, or they take from those that come near. The latter are eye segments in media or eye points on surfaces.
@@ -50,16 +55,20 @@ struct LightTechnique {
     /// Appends the records that a segment leaves.
     void (*deposit)(const LightPathSegment& segment, std::vector<std::byte>& records) = nullptr;
 
-    // Kinds that eyes take from when they come near: density estimation.
     Reach reach = Reach::connected;
-    LayerSet carries = {};            ///< layers that they can carry
+    LayerSet carries = LayerSet().add(Layer::media_to_media).add(Layer::media_to_surface);  ///< layers that they can carry
+
+    // Kinds that eyes take from when they come near: density estimation.
     int blur_dimensions = 1;          ///< of the kernel: its radius to this power falls as eq. 64
     double usual_radius = .05;        ///< in the first pass, of the scene's half diagonal
     std::uint32_t usual_lights = 0;   ///< per pass
-    /// Appends the records that an arrival leaves.
+    /// Appends the records that an arrival leaves: of kinds that stand on surfaces.
     void (*arrive)(const LightPathArrival& arrival, std::vector<std::byte>& records) = nullptr;
     /// Where a record can be met.
     Capsule (*capsule)(std::span<const std::byte> record) = nullptr;
+
+    /// Connected lights that stand on surfaces, and share their method with a kind that stands in media.
+    bool on_surfaces = false;
 
     bool gathered() const { return reach != Reach::connected; }
 };
@@ -75,7 +84,8 @@ struct Gathered {
 
 /// Which techniques a method is made of: one line for each layer that is not left to straight connections of other kinds and to path tracing.
 struct Recipe {
-    const LightTechnique* connected = nullptr;  ///< lights that carry media_to_media and media_to_surface
+    const LightTechnique* connected = nullptr;    ///< lights that carry media_to_media and media_to_surface
+    const LightTechnique* on_surfaces = nullptr;  ///< connected lights that carry surface_to_media and surface_indirect
     bool clamped = false;                       ///< with bounded connections
     std::vector<Gathered> gathered{};           ///< by density estimation
     std::string title{};                        ///< for people, in the plural
@@ -84,7 +94,13 @@ struct Recipe {
 /// Throws UsageError for a method that there is not. Path tracing is made of nothing.
 Recipe recipe_of(Method method);
 
-/// The technique whose lights the method connects to eyes; null if it has none. Throws UsageError for a method that there is not.
+/// Which lights of the recipe carry the layer; null: none, it is left to camera rays, next-event estimation or path tracing.
+const LightTechnique* lights_for(Layer layer, const Recipe& recipe);
+
+/// The methods whose own lights carry the layer, and path tracing.
+std::vector<std::string_view> methods_that_carry(Layer layer);
+
+/// The technique whose lights in media the method connects to eyes; null if it has none. Throws UsageError for a method that there is not.
 const LightTechnique* technique_of(Method method);
 
 /// Does the method bound the connections of its lights?

@@ -39,10 +39,11 @@ const std::vector<NamedRecipe>& named_recipes()
     return recipes;
 }
 
-const LightTechnique* find_technique(std::string_view method)
+/// on_surfaces: of the method's lights those that stand on surfaces, or the others.
+const LightTechnique* find_technique(std::string_view method, bool on_surfaces = false)
 {
     for (const LightTechnique& technique : light_techniques())
-        if (technique.method == method || (!technique.clamped_method.empty() && technique.clamped_method == method)) return &technique;
+        if (technique.on_surfaces == on_surfaces && (technique.method == method || (!technique.clamped_method.empty() && technique.clamped_method == method))) return &technique;
     return nullptr;
 }
 
@@ -73,7 +74,7 @@ Recipe recipe_of(Method method)
     if (method == Method::path) return {.title = "path tracing of every layer"};
     if (const LightTechnique* technique = find_technique(method.name())) {
         const bool clamped = technique->method != method.name();
-        Recipe recipe{.clamped = clamped, .title = std::string(technique->title) + (clamped ? ", clamped" : "")};
+        Recipe recipe{.on_surfaces = find_technique(method.name(), true), .clamped = clamped, .title = std::string(technique->title) + (clamped ? ", clamped" : "")};
         if (technique->gathered()) recipe.gathered.push_back({technique, technique->carries});
         else recipe.connected = technique;
         return recipe;
@@ -83,6 +84,23 @@ Recipe recipe_of(Method method)
     std::string known;
     for (const Method each : all_methods()) known += (known.empty() ? "" : ", ") + std::string(each.name());
     throw UsageError("unknown method \"" + std::string(method.name()) + "\"; there are: " + known);
+}
+
+const LightTechnique* lights_for(Layer layer, const Recipe& recipe)
+{
+    for (const Gathered& g : recipe.gathered)
+        if (g.layers.contains(layer)) return g.technique;
+    for (const LightTechnique* lights : {recipe.connected, recipe.on_surfaces})
+        if (lights && lights->carries.contains(layer)) return lights;
+    return nullptr;
+}
+
+std::vector<std::string_view> methods_that_carry(Layer layer)
+{
+    std::vector<std::string_view> names;
+    for (const Method method : all_methods())
+        if (method == Method::path || lights_for(layer, recipe_of(method))) names.push_back(method.name());
+    return names;
 }
 
 const LightTechnique* technique_of(Method method) { return recipe_of(method).connected; }
@@ -98,6 +116,7 @@ std::vector<Method> all_methods()
 {
     std::vector<Method> methods{Method::vrl};
     for (const LightTechnique& technique : light_techniques()) {
+        if (technique.on_surfaces) continue;
         if (technique.method != Method::vrl.name()) methods.push_back(Method(technique.method));
         if (!technique.clamped_method.empty()) methods.push_back(Method(technique.clamped_method));
     }

@@ -18,6 +18,7 @@ public:
             second_ = vertex;
     }
     bool scattered() const { return first_ != Vertex::none; }
+    bool scattered_twice() const { return second_ != Vertex::none; }
     /// The path is mirrored or refracted.
     void pass_specular() { specular_leg_ = specular_leg_ || (first_ != Vertex::none && second_ == Vertex::none); }
 

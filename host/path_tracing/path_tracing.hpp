@@ -18,6 +18,7 @@ struct PathTracingSettings {
     int max_depth = -1;  ///< at most max_depth - 1 scattering vertices; -1: no limit
     LayerSet layers;     ///< what to compute; paths that cannot reach any of them are ended
     LayerSet glossy_only;  ///< of these: only where x1 is a surface that other techniques do not know (SurfaceParts::lambertian)
+    LayerSet glossy_lights;  ///< of these: only where x2 is one, or, in a layer of both, where x1 or x2 is
     const StopFlag* stop = nullptr;  ///< raised: Stopped is thrown
 };
 

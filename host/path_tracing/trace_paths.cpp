@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "path_tracing/layer_track.hpp"
 #include "transport/bsdf.hpp"
@@ -63,8 +64,12 @@ private:
     bool may_scatter() const { return shared_.settings.max_depth < 0 || vertices_ < shared_.settings.max_depth - 1; }
     LayerSet wanted() const
     {
-        const LayerSet& layers = shared_.settings.layers;
-        return track_.scattered() && !begins_glossy_ ? layers.without(shared_.settings.glossy_only) : layers;
+        const auto& [layers, at_first, at_second] = std::tie(shared_.settings.layers, shared_.settings.glossy_only, shared_.settings.glossy_lights);
+        if (!track_.scattered()) return layers;
+        LayerSet wanted = layers.without(at_first | at_second);
+        if (begins_glossy_) wanted = wanted | (layers & at_first);
+        if (!track_.scattered_twice() || glossy_light_) wanted = wanted | (layers & at_second);
+        return wanted;
     }
     bool wants(Layer layer) const { return wanted().contains(layer); }
     bool wants_more() const { return !(track_.reachable() & wanted()).empty(); }
@@ -146,6 +151,7 @@ private:
         const LayerTrack before = track_;
         if (parts.scattering) {
             if (!track_.scattered()) begins_glossy_ = !parts.lambertian;
+            else if (!track_.scattered_twice()) glossy_light_ = !parts.lambertian;
             track_.scatter(Vertex::surface);
             if (wants_more()) connect_from_surface(arrival, parts, walk.medium);
         }
@@ -197,6 +203,7 @@ private:
     Rgb throughput_{1};
     LayerTrack track_;
     bool begins_glossy_ = false;  ///< the path's first scattering vertex is on a surface that is not lambertian
+    bool glossy_light_ = false;   ///< its second is
     int vertices_ = 0;     ///< scattering vertices so far, mirrors and glass included
     double last_pdf_ = 0;  ///< per steradian, of ray_.direction at ray_.origin; 0: camera, mirror or glass, where no connection competes
 };

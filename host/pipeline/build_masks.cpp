@@ -22,17 +22,41 @@ void check_layer(const SceneFeatures& features, Layer layer, std::uint32_t wante
 
 BuildMasks build_masks(const SceneFeatures& features, const LayerPlan& plan, const std::optional<std::uint32_t>& wanted)
 {
-    if (!wanted) return {features.media_to_media, features.media_to_surface};
+    if (!wanted) return {features.media_to_media, features.media_to_surface, features.surface_to_media, features.surface_indirect};
     if ((*wanted & feature_bit::nonconvex_media) && !(*wanted & feature_bit::occluders))
         throw UsageError("--features: NONCONVEX_MEDIA needs OCCLUDERS, because the host's walk answers both questions; add it");
     if (plan.media_to_media) check_layer(features, Layer::media_to_media, *wanted);
     if (plan.media_to_surface) check_layer(features, Layer::media_to_surface, *wanted);
-    return {*wanted, *wanted};
+    return {*wanted, *wanted, *wanted | features.surface_to_media, *wanted | features.surface_indirect};  // what these need besides is theirs by rule
 }
+
+std::uint32_t BuildMasks::of(Layer layer) const
+{
+    switch (layer) {
+        case Layer::media_to_media: return media_to_media;
+        case Layer::media_to_surface: return media_to_surface;
+        case Layer::surface_to_media: return surface_to_media;
+        default: return surface_indirect;
+    }
+}
+
+std::vector<Layer> connected_layers(const LayerPlan& plan)
+{
+    std::vector<Layer> layers;
+    for (const auto& [wanted, layer] : {std::pair(plan.media_to_media, Layer::media_to_media), std::pair(plan.media_to_surface, Layer::media_to_surface),
+                                        std::pair(plan.surface_to_media, Layer::surface_to_media), std::pair(plan.surface_indirect, Layer::surface_indirect)})
+        if (wanted) layers.push_back(layer);
+    return layers;
+}
+
+const LightTechnique& lights_of(const LayerPlan& plan, Layer layer) { return layer == Layer::surface_to_media || layer == Layer::surface_indirect ? *plan.on_surfaces : *plan.technique; }
+
+EyeKind eyes_of(Layer layer) { return layer == Layer::media_to_media || layer == Layer::surface_to_media ? EyeKind::segments : EyeKind::points; }
 
 std::string grid_transmittance(const RenderSettings& settings, const LayerPlan& plan, const BuildMasks& masks)
 {
-    const std::uint32_t built = (plan.media_to_media ? masks.media_to_media : 0u) | (plan.media_to_surface ? masks.media_to_surface : 0u);
+    std::uint32_t built = 0;
+    for (const Layer layer : connected_layers(plan)) built |= masks.of(layer);
     if (!(built & feature_bit::heterogeneous)) return {};
     if (settings.transmittance == GridTransmittance::exact) return "exact: cell by cell for every pair; unbiased";
     return "march: tables and a jittered march, with an exact correction for one pair in 64; unbiased, and a pass can hold negative values";
@@ -44,12 +68,13 @@ std::string doubt_about_math(const RenderSettings& settings)
     return "--math fast: compilers may reorder and approximate what was proved to be stable, and the selftest does not cover it; compare the image with one of --math strict";
 }
 
-PairProgram pair_program(const LayerPlan& plan, const RenderSettings& settings, EyeKind kind, const BuildMasks& masks, int lanes)
+PairProgram pair_program(const LayerPlan& plan, const RenderSettings& settings, Layer layer, const BuildMasks& masks, int lanes)
 {
-    const std::uint32_t features = kind == EyeKind::segments ? masks.media_to_media : masks.media_to_surface;
+    const EyeKind kind = eyes_of(layer);
+    const std::uint32_t features = masks.of(layer);
     int sampler = kind == EyeKind::segments ? plan.sampler : SAMPLER_PAPER_ISOTROPIC;  // points are the same program for every sampler
     if (sampler == SAMPLER_PAPER && !(features & feature_bit::anisotropic)) sampler = SAMPLER_PAPER_ISOTROPIC;    // and so are these two
-    const LightTechnique& technique = *plan.technique;
+    const LightTechnique& technique = lights_of(plan, layer);
     return {.light = std::string(technique.name),
             .light_bytes = static_cast<std::uint32_t>(technique.record_bytes),
             .light_is_line = technique.is_line,
@@ -87,13 +112,12 @@ std::uint32_t case_families(const LayerPlan& plan, const RenderSettings& setting
 {
     constexpr std::uint32_t plain = 1, products = 2, marginals = 4, lobes = 8, grids = 16;
     std::uint32_t families = plain, built = 0;
-    if (plan.media_to_media) {
-        built |= masks.media_to_media;
-        const int sampler = pair_program(plan, settings, EyeKind::segments, masks, 1).sampler;
+    for (const Layer layer : connected_layers(plan)) {
+        built |= masks.of(layer);
+        const int sampler = pair_program(plan, settings, layer, masks, 1).sampler;
         if (sampler != SAMPLER_PAPER_ISOTROPIC) families |= products;
         if (sampler >= SAMPLER_TABLE) families |= marginals;
     }
-    if (plan.media_to_surface) built |= masks.media_to_surface;
     if (built & feature_bit::phase_lobes) families |= lobes;
     if (built & feature_bit::heterogeneous) families |= grids;
     return families;

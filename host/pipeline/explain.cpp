@@ -14,12 +14,12 @@
 namespace tyndall {
 namespace {
 
-/// One line for every kernel; some serve both layers.
+/// One line for every kernel; some serve all layers.
 void add_kernels(const std::string& layer, const PairProgram& program, std::vector<KernelReport>& kernels)
 {
     for (const KernelBuild& build : kernel_builds(program)) {
         const auto shared = std::find_if(kernels.begin(), kernels.end(), [&](const KernelReport& k) { return build.serves_all() && k.kernel == build.name; });
-        if (shared != kernels.end()) shared->layer = "both layers";
+        if (shared != kernels.end()) shared->layer = "all layers";
         else kernels.push_back({layer, build.name, feature_names(build.features), build.options});
     }
 }
@@ -63,8 +63,7 @@ Explanation explain(const Scene& scene, const RenderSettings& settings)
     e.lanes = plan.on_device() ? settings.lanes ? settings.lanes : 16 : 0, e.lights = plan.virtual_lights() ? lights : plan.gathers.empty() ? 0 : plan.gathers.front().lights;
     e.lanes_from = lanes_from(settings);
     e.effects = effect_reports(features), e.layers = plan.reports;
-    if (plan.media_to_media) add_kernels("media_to_media", pair_program(plan, settings, EyeKind::segments, masks, e.lanes), e.kernels);
-    if (plan.media_to_surface) add_kernels("media_to_surface", pair_program(plan, settings, EyeKind::points, masks, e.lanes), e.kernels);
+    for (const Layer layer : connected_layers(plan)) add_kernels(std::string(name(layer)), pair_program(plan, settings, layer, masks, e.lanes), e.kernels);
     for (const GatherPlan& gather : plan.gathers) add_kernels(std::string(gather.technique->title), gather_program(gather, settings, masks, e.lanes), e.kernels);
     if (plan.virtual_lights()) e.selection = to_text(selection);
     e.grids = grid_transmittance(settings, plan, masks);

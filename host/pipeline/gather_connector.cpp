@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "pipeline/memory_estimate.hpp"
+
 namespace tyndall {
 namespace {
-
-constexpr std::size_t numbers_at_a_time = 1u << 24;  ///< of near lights in a piece, if all of them were near: 64 MiB
 
 void find_near(const NearSearch& search, const EyeSegment& eye, std::vector<std::uint32_t>& found)
 {
@@ -55,7 +55,7 @@ void GatherConnector::gather(std::span<const Eye> eyes, const VirtualLights& lig
         return eyes.subspan(first, last - first);
     };
     SharedJob job{.units = (eyes.size() + eye_alignment - 1) / eye_alignment, .eyes = [](Piece piece) { return (piece.last - piece.first) * eye_alignment; }};
-    const std::size_t most = settings_.tile_pairs ? settings_.tile_pairs : numbers_at_a_time;
+    const std::size_t most = settings_.tile_pairs ? settings_.tile_pairs : near_numbers_at_a_time;
     job.fits = [&](Piece piece) { return (piece.last - piece.first) * lights.count <= most; };
     job.sums = [&](PairStage& stage, const ConnectSettings& settings, Piece piece, ConnectCounts& here) {
         throw_if_raised(settings.stop);

@@ -43,9 +43,15 @@ struct Carrier { std::string name, why; };
 /// The technique that gathers the layer; null if none does.
 const LightTechnique* gatherer_of(Layer layer, const Recipe& recipe)
 {
-    for (const Gathered& g : recipe.gathered)
-        if (g.layers.contains(layer)) return g.technique;
-    return nullptr;
+    const LightTechnique* lights = lights_for(layer, recipe);
+    return lights && lights->gathered() ? lights : nullptr;
+}
+
+/// The technique whose lights on surfaces carry the layer; null if none does.
+const LightTechnique* surface_lights_of(Layer layer, const Recipe& recipe)
+{
+    const LightTechnique* lights = lights_for(layer, recipe);
+    return lights && lights->on_surfaces ? lights : nullptr;
 }
 
 /// "photon beams and photons".
@@ -60,6 +66,7 @@ Carrier carrier_of(Layer layer, const Recipe& recipe)
 {
     if (const LightTechnique* gathered = gatherer_of(layer, recipe))
         return {std::string(gathered->title), gathered->reach == Reach::near_points ? "light paths that arrive near: density estimation" : "light paths that pass near: density estimation"};
+    if (const LightTechnique* lights = surface_lights_of(layer, recipe)) return {std::string(lights->title), "light that surfaces have reflected diffusely, on straight lines"};
     const std::string title = titles_of(recipe);
     if (title.empty()) return {"path tracing", "--method path"};
     switch (layer) {
@@ -74,6 +81,17 @@ Carrier carrier_of(Layer layer, const Recipe& recipe)
             return {std::string(recipe.connected->title), "light that a medium has scattered, on straight lines"};
         default: return {"path tracing", recipe.connected ? "connections by straight lines do not pass mirrors and glass" : title + " do not carry it"};
     }
+}
+
+/// Lights on surfaces stand on diffuse ones, and connect to those: paths carry the light that has a glossy surface at either end.
+void share_glossy_ends(Layer layer, const SceneFeatures& features, LayerPlan& plan)
+{
+    if (!features.glossy_surfaces) return;
+    plan.path_traced.add(layer), plan.glossy_lights_by_paths.add(layer);
+    if (layer == Layer::surface_indirect) plan.glossy_by_paths.add(layer);
+    LayerReport& report = plan.reports.back();
+    report.why = report.technique + " from diffuse surfaces" + (layer == Layer::surface_indirect ? " to diffuse surfaces" : "") + "; paths where plastic, rough metal or rough glass reflects, which have no lights";
+    report.technique += ", path tracing";
 }
 
 constexpr const char* where_no_lobes_are_known = "plastic, rough metal and rough glass, where the kernels know no lobes";
@@ -97,7 +115,7 @@ std::string radius_text(std::string_view lights, double radius, int dimensions)
 /// What makes the connected lights biased, in words, and its numbers in the plan.
 std::string plan_bias(const Scene& scene, const RenderSettings& settings, const Recipe& recipe, LayerPlan& plan)
 {
-    if (!plan.technique) return {};
+    if (!recipe.connected) return {};
     const double size = bounds_of(scene).radius();
     if (recipe.clamped) {
         const double clamp = settings.clamp.value_or(usual_clamp);
@@ -123,8 +141,8 @@ void plan_gathered(Layer layer, const LightTechnique& technique, const Scene& sc
 /// How places are drawn in a layer of virtual lights.
 void name_sampler(Layer layer, const LightTechnique& lights, const ChosenSampler& chosen, LayerReport& report)
 {
-    if (layer == Layer::media_to_surface) report.sampler = lights.surface_sampler, report.sampler_why = lights.surface_sampler_why;
-    if (layer != Layer::media_to_media) return;
+    if (layer == Layer::media_to_surface || layer == Layer::surface_indirect) report.sampler = lights.surface_sampler, report.sampler_why = lights.surface_sampler_why;
+    if (layer != Layer::media_to_media && layer != Layer::surface_to_media) return;
     report.sampler = sampler_name(chosen.sampler), report.sampler_why = chosen.why;
 }
 
@@ -135,6 +153,8 @@ LayerSet LayerPlan::rendered() const
     LayerSet set = path_traced;
     if (media_to_media) set.add(Layer::media_to_media);
     if (media_to_surface) set.add(Layer::media_to_surface);
+    if (surface_to_media) set.add(Layer::surface_to_media);
+    if (surface_indirect) set.add(Layer::surface_indirect);
     if (single) set.add(Layer::single);
     for (const GatherPlan& gather : gathers) set = set | gather.layers;
     return set;
@@ -160,6 +180,9 @@ static void plan_layer(Layer layer, const Recipe& recipe, const Scene& scene, co
     if (const LightTechnique* gathered = gatherer_of(layer, recipe)) {
         plan_gathered(layer, *gathered, scene, settings, plan);
         if (gathered->reach == Reach::near_points) share_with_paths(layer, features, true, plan);
+    } else if (surface_lights_of(layer, recipe)) {
+        (layer == Layer::surface_to_media ? plan.surface_to_media : plan.surface_indirect) = true;
+        share_glossy_ends(layer, features, plan);
     } else if (recipe.connected && layer == Layer::media_to_media) {
         plan.media_to_media = true;
     } else if (recipe.connected && layer == Layer::media_to_surface) {
@@ -176,7 +199,7 @@ LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const R
 {
     const ChosenSampler chosen = choose_sampler(scene, features, settings.sampler);
     const Recipe recipe = recipe_of(settings.method), paths = recipe_of(Method::path);
-    LayerPlan plan{.technique = recipe.connected, .selection = plan_selection(settings, scene.camera), .sampler = chosen.sampler};
+    LayerPlan plan{.technique = recipe.connected, .on_surfaces = recipe.on_surfaces, .selection = plan_selection(settings, scene.camera), .sampler = chosen.sampler};
     const std::string bias = plan_bias(scene, settings, recipe, plan);
     for (std::size_t l = 0; l < layer_count; ++l) {
         const Layer layer = static_cast<Layer>(l);
@@ -194,8 +217,9 @@ LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const R
         else report.why = carrier.why;
         plan.reports.push_back(report);
         if (report.skipped) continue;
-        const bool connected = used.connected && !gatherer_of(layer, used) && (layer == Layer::media_to_media || (layer == Layer::media_to_surface && features.surfaces_in_reach));
-        if (connected) name_sampler(layer, *used.connected, chosen, plan.reports.back());
+        const LightTechnique* lights = lights_for(layer, used);
+        const bool connected = lights && !lights->gathered() && (layer != Layer::media_to_surface || features.surfaces_in_reach);
+        if (connected) name_sampler(layer, *lights, chosen, plan.reports.back());
         if (connected) plan.reports.back().unbiased = bias.empty(), plan.reports.back().bias = bias;
         plan_layer(layer, used, scene, features, settings, plan);
     }

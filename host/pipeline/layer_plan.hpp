@@ -23,20 +23,28 @@ struct GatherPlan {
 };
 
 struct LayerPlan {
-    const LightTechnique* technique = nullptr;              ///< of the virtual lights that eyes are connected to; null: there are none
+    const LightTechnique* technique = nullptr;              ///< of the virtual lights in media that eyes are connected to; null: there are none
+    const LightTechnique* on_surfaces = nullptr;            ///< of those on surfaces
     double clamp = 0;                                       ///< bound of a connection's 1 / w^2 in render space; 0: none
     double radius = 0;                                      ///< of thick lights in the first pass, in render space
-    bool media_to_media = false, media_to_surface = false;  ///< by virtual lights
+    bool media_to_media = false, media_to_surface = false;  ///< by virtual lights in media
+    bool surface_to_media = false, surface_indirect = false;  ///< by virtual lights on surfaces
     bool single = false;                                    ///< by equi-angular light sampling
     LayerSet path_traced;                                   ///< by the path tracer
-    LayerSet glossy_by_paths;                               ///< those are in path_traced only where other techniques know no lobes: at glossy surfaces
+    LayerSet glossy_by_paths;                               ///< those are in path_traced only where other techniques know no lobes: where x1 is a glossy surface
+    LayerSet glossy_lights_by_paths;                        ///< those (also) where x2 is one
     std::vector<GatherPlan> gathers;                        ///< by density estimation; each has a layer
     SelectionPlan selection;                                ///< how many virtual lights, and which of them eyes connect to
     int sampler = 0;                                        ///< of media_to_media: kernels/shared/samplers.h
     std::vector<LayerReport> reports;                       ///< one per layer, in order
 
     LayerSet rendered() const;
-    bool virtual_lights() const { return media_to_media || media_to_surface; }
+    bool lights_in_media() const { return media_to_media || media_to_surface; }
+    bool lights_on_surfaces() const { return surface_to_media || surface_indirect; }
+    bool virtual_lights() const { return lights_in_media() || lights_on_surfaces(); }
+    /// Are eyes of that kind connected to virtual lights?
+    bool connects_segments() const { return media_to_media || surface_to_media; }
+    bool connects_points() const { return media_to_surface || surface_indirect; }
     bool on_device() const { return virtual_lights() || !gathers.empty(); }
     /// Do eyes of that kind take from lights that come near?
     bool gathers_at(Reach reach) const;

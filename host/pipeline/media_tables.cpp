@@ -50,6 +50,7 @@ MediaTables media_tables(const Scene& scene, const SceneFeatures& features)
         tables.media.push_back({f(t.r), f(t.g), f(t.b), f(m.phase.g), f(s.r), f(s.g), f(s.b), 0, 0, grid_index(m.density), grid_index(m.albedo_volume), grid_colours(scene, m)});
         add_lobes(m.phase, tables.media.back(), tables);
     }
+    tables.media.push_back({.density_grid = NO_GRID, .albedo_grid = NO_GRID});  // vacuum: what lights on surfaces may have in front of them
     for (const Container& container : features.containers) {
         tables.containers.push_back({static_cast<uint>(container.medium), static_cast<uint>(tables.planes.size()), static_cast<uint>(container.planes.size()), 0});
         for (const HalfSpace& p : container.planes) tables.planes.push_back({f(p.normal.x), f(p.normal.y), f(p.normal.z), f(p.offset)});

@@ -8,6 +8,7 @@
 #include "lights/light_technique.hpp"
 #include "pipeline/light_selection_plan.hpp"
 #include "tiling/connect_pairs.hpp"
+#include "visibility/near_search.hpp"
 
 namespace tyndall {
 namespace {
@@ -40,14 +41,17 @@ void add_choice(const std::string& layer, std::uint64_t eyes, const SelectionPla
                       std::max(squares * lights * estimate, of_regions) + eyes / eye_alignment * plan.slots_per_sample() * sizeof(LightChoice), true});
 }
 
-/// What one kind of eye takes on the device.
-void add_device(const RenderSettings& settings, const LightTechnique& technique, const SelectionPlan& selection, const std::string& layer, std::uint64_t pixels, std::uint32_t features, std::vector<MemoryReport>& memory)
+/// What the connections of one layer take on the device.
+void add_device(const RenderSettings& settings, const LayerPlan& plan, Layer which, std::uint64_t pixels, std::uint32_t features, std::vector<MemoryReport>& memory)
 {
+    const SelectionPlan& selection = plan.selection;
+    const LightTechnique& technique = lights_of(plan, which);
+    const std::string layer(name(which));
     const std::uint32_t lights = selection.lights;
     const std::uint64_t eyes = std::min<std::uint64_t>(pixels * static_cast<std::uint64_t>(selection.camera_samples), eyes_at_a_time(features));
     const bool occluders = features & feature_bit::occluders;
     if (selection.chosen) add_choice(layer, eyes, selection, memory);
-    add_tables(layer, layer == "media_to_media" ? eyes : 0, features, technique.is_line ? lights : 0, memory);
+    add_tables(layer, eyes_of(which) == EyeKind::segments ? eyes : 0, features, technique.is_line ? lights : 0, memory);
     constexpr std::uint64_t sums = 6 * sizeof(float), packet = sizeof(ShadowPacket) / SHADOW_PACKET_SIZE, contribution = 3 * sizeof(float);
     memory.push_back({layer + ": eyes and their sums", eyes * (sizeof(EyeSegment) + sums), true});
     memory.push_back({layer + ": virtual lights", (lights + (selection.by_region() ? selection.candidates : 0)) * technique.record_bytes, true});
@@ -56,6 +60,21 @@ void add_device(const RenderSettings& settings, const LightTechnique& technique,
     const std::uint32_t slots = std::min(selection.slots_per_sample(), light_block);
     const std::uint64_t pairs = std::min<std::uint64_t>(eyes, shadowed_tile_eyes(wanted, slots)) * slots * samples;
     memory.push_back({layer + ": two tiles of shadow segments", 2 * pairs * (packet + contribution), true});
+}
+
+/// What density estimation with one kind of light takes: its lights and the boxes of the search on the host, and lists of what is near.
+void add_gather(const GatherPlan& gather, const RenderSettings& settings, std::uint64_t eyes, std::uint32_t features, std::vector<MemoryReport>& memory)
+{
+    const LightTechnique& technique = *gather.technique;
+    const std::string title(technique.title);
+    const std::uint64_t pieces = technique.is_line ? near_pieces_per_line : 1;
+    memory.push_back({title + ": lights of a pass and the search among them", gather.lights * (technique.record_bytes + sizeof(Capsule) + pieces * near_bytes_per_piece)});
+    memory.push_back({title + ": lights", gather.lights * std::uint64_t(technique.record_bytes), true});
+    const std::uint64_t groups = eyes / eye_alignment + 1, most = settings.tile_pairs ? settings.tile_pairs : near_numbers_at_a_time;
+    const std::uint64_t listed = std::min(groups * gather.lights, most), eyes_at_once = std::min(eyes, std::max<std::uint64_t>(most / std::max(gather.lights, 1u), 1) * eye_alignment);
+    memory.push_back({title + ": lists of what is near, at most", listed * sizeof(std::uint32_t), true});
+    memory.push_back({title + ": eyes and their sums", eyes_at_once * (sizeof(EyeSegment) + 6 * sizeof(float)), true});
+    add_tables(title, technique.reach == Reach::near_segments ? eyes_at_once : 0, features, technique.is_line ? gather.lights : 0, memory);
 }
 
 std::uint64_t grid_bytes(const Scene& scene)
@@ -76,13 +95,14 @@ std::vector<MemoryReport> estimate_memory(const Scene& scene, const RenderSettin
                                      {"image of a pass", pixels * (plan.rendered().size() * sizeof(Rgb) + features_bytes)}};
     const std::uint64_t grids = grid_bytes(scene);
     if (grids > 0) memory.push_back({"grids of voxels", grids});
-    if (!plan.virtual_lights()) return memory;
-    const std::uint64_t kinds = (plan.media_to_media ? 1u : 0u) + (plan.media_to_surface ? 1u : 0u);
-    const SelectionPlan& selection = plan.selection;
-    memory.push_back({"eye segments and eye points", pixels * static_cast<std::uint64_t>(selection.camera_samples) * kinds * sizeof(EyeSegment)});
-    if (plan.media_to_media) add_device(settings, *plan.technique, selection, "media_to_media", pixels, masks.media_to_media, memory);
-    if (plan.media_to_surface) add_device(settings, *plan.technique, selection, "media_to_surface", pixels, masks.media_to_surface, memory);
-    if (grids > 0) memory.push_back({"grids of voxels, once for each kind of eye", kinds * grids, true});
+    if (!plan.on_device()) return memory;
+    const std::uint64_t segments = plan.connects_segments() || plan.gathers_at(Reach::near_segments) ? 1 : 0, points = plan.connects_points() || plan.gathers_at(Reach::near_points) ? 1 : 0;
+    const std::uint64_t eyes = pixels * static_cast<std::uint64_t>(plan.selection.camera_samples);
+    memory.push_back({"eye segments and eye points", eyes * (segments + points) * sizeof(EyeSegment)});
+    const std::vector<Layer> connected = connected_layers(plan);
+    for (const Layer layer : connected) add_device(settings, plan, layer, pixels, masks.of(layer), memory);
+    for (const GatherPlan& gather : plan.gathers) add_gather(gather, settings, eyes, gather_program(gather, settings, masks, 1).features, memory);
+    if (grids > 0) memory.push_back({"grids of voxels, once for each layer of connections and each kind of gathered light", (connected.size() + plan.gathers.size()) * grids, true});
     return memory;
 }
 

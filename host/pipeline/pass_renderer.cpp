@@ -72,16 +72,20 @@ void PassRenderer::prepare_lights()
             throw NoDeviceError("\"" + device.info().name + "\" has no 64-bit numbers (cl_khr_fp64), which --precision f64 needs; name another device, or leave it at f32");
     }
     const auto start = std::chrono::steady_clock::now();
-    const auto build = [&](bool wanted, EyeKind kind) { return wanted ? make_connector(kind) : nullptr; };
     auto selftest = std::async(std::launch::async, [&] { return check_devices(); });
-    auto to_points = std::async(std::launch::async, build, plan_.media_to_surface, EyeKind::points);
-    auto to_segments = std::async(std::launch::async, build, plan_.media_to_media, EyeKind::segments);
+    std::vector<std::future<std::unique_ptr<EyeConnector>>> built;
+    for (const Layer layer : connected_layers(plan_)) {
+        connections_.push_back({layer});
+        built.push_back(std::async(std::launch::async, [&, layer] { return make_connector(layer); }));
+    }
     for (const GatherPlan& gather : plan_.gathers) gathers_.push_back(make_gathering(gather));
     clock_.time("pilot", [&] {
-        if (plan_.virtual_lights()) light_paths_ = count_paths(*plan_.technique, plan_.selection.lights, LayerSet::all());
+        if (plan_.lights_in_media()) light_paths_ = count_paths(*plan_.technique, plan_.selection.lights, LayerSet::all());
+        if (plan_.lights_on_surfaces()) surface_light_paths_ = count_paths(*plan_.on_surfaces, plan_.selection.lights, LayerSet::all());
         for (Gathering& g : gathers_) g.paths = count_paths(*g.plan.technique, g.plan.lights, g.plan.layers);
     });
-    to_points_ = to_points.get(), to_segments_ = to_segments.get(), selftest_ = selftest.get();
+    for (std::size_t i = 0; i < built.size(); ++i) connections_[i].connector = built[i].get();
+    selftest_ = selftest.get();
     clock_.add("build_kernels", std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), programs_built());
 }
 
@@ -116,10 +120,10 @@ std::uint64_t PassRenderer::programs_built() const
     return std::accumulate(devices_.begin(), devices_.end(), std::uint64_t(0), [](std::uint64_t sum, const Device& d) { return sum + d.programs_built(); });
 }
 
-std::unique_ptr<EyeConnector> PassRenderer::make_connector(EyeKind kind)
+std::unique_ptr<EyeConnector> PassRenderer::make_connector(Layer layer)
 {
     const int lanes = lanes_of(settings_, devices_.front());
-    const PairProgram program = pair_program(plan_, settings_, kind, masks_, lanes);
+    const PairProgram program = pair_program(plan_, settings_, layer, masks_, lanes);
     const ConnectSettings connect{.features = program.features, .samples = program.samples, .vertex_limit = vertex_limit(max_depth_), .tile_pairs = settings_.tile_pairs, .lanes = lanes, .sums_of_eye = program.sums_of_eye(), .stop = settings_.stop};
     std::vector<PairStage> stages;
     for (Device& device : devices_) stages.emplace_back(device, program, media_tables(scene_, features_));
@@ -141,8 +145,7 @@ void PassRenderer::add_gathered(std::uint64_t pass, const EyeRecords& eyes, Pass
         const LightTechnique& technique = *g.plan.technique;
         LightTracingSettings wanted = light_settings(technique);
         wanted.pass = pass, wanted.paths = g.paths, wanted.radius = progressive_radius(g.plan.radius, pass, technique.blur_dimensions);
-        const std::vector<GatheredLights> all =
-            clock_.time("trace_lights", [&] { return trace_gathered_lights(scene_, visibility_, technique, wanted, g.plan.layers); });
+        const std::vector<GatheredLights> all = clock_.time("trace_lights", [&] { return trace_gathered_lights(scene_, visibility_, technique, wanted, g.plan.layers); });
         for (const GatheredLights& lights : all) {
             virtual_lights_ += lights.lights.count;
             clock_.time(std::string(name(lights.layer)), [&] { g.connector->gather(eyes, lights.lights, visibility_, counts_, image[lights.layer]); });
@@ -152,21 +155,27 @@ void PassRenderer::add_gathered(std::uint64_t pass, const EyeRecords& eyes, Pass
 
 void PassRenderer::add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image)
 {
-    if (!plan_.virtual_lights()) return;
-    const VirtualLights lights = clock_.time("trace_lights", [&] {
-        LightTracingSettings wanted = light_settings(*plan_.technique);
-        wanted.pass = pass, wanted.paths = light_paths_, wanted.radius = progressive_radius(plan_.radius, pass);
-        return trace_lights(scene_, visibility_, *plan_.technique, wanted);
-    });
-    const std::uint64_t key = mix_bits(mix_bits(settings_.seed) + pass);
-    virtual_lights_ += lights.count;
-    const auto connect = [&](EyeConnector* connector, EyeKind kind, Layer layer) {
-        if (!connector) return;
-        clock_.time(std::string(name(layer)), [&] { connector->connect(eyes, kind, lights, visibility_, key, counts_, image[layer]); });
-        note_worst_pair(connector->worst(), pass, layer, image);
+    const auto traced = [&](const LightTechnique& technique, std::uint64_t paths) {
+        return clock_.time("trace_lights", [&] {
+            LightTracingSettings wanted = light_settings(technique);
+            wanted.pass = pass, wanted.paths = paths, wanted.radius = progressive_radius(plan_.radius, pass);
+            return trace_lights(scene_, visibility_, technique, wanted);
+        });
     };
-    connect(to_segments_.get(), EyeKind::segments, Layer::media_to_media);
-    connect(to_points_.get(), EyeKind::points, Layer::media_to_surface);
+    if (plan_.lights_in_media()) connect(traced(*plan_.technique, light_paths_), pass, {Layer::media_to_media, Layer::media_to_surface}, eyes, image);
+    if (plan_.lights_on_surfaces()) connect(traced(*plan_.on_surfaces, surface_light_paths_), pass, {Layer::surface_to_media, Layer::surface_indirect}, eyes, image);
+}
+
+/// Adds what `lights` send to those of the layers that are connected.
+void PassRenderer::connect(const VirtualLights& lights, std::uint64_t pass, std::initializer_list<Layer> layers, const EyeRecords& eyes, PassImage& image)
+{
+    virtual_lights_ += lights.count;
+    const std::uint64_t key = mix_bits(mix_bits(settings_.seed) + pass);
+    for (const Connection& c : connections_) {
+        if (std::find(layers.begin(), layers.end(), c.layer) == layers.end()) continue;
+        clock_.time(std::string(name(c.layer)), [&] { c.connector->connect(eyes, eyes_of(c.layer), lights, visibility_, key, counts_, image[c.layer]); });
+        note_worst_pair(c.connector->worst(), pass, c.layer, image);
+    }
 }
 
 void PassRenderer::note_worst_pair(const EyeConnector::Worst& worst, std::uint64_t pass, Layer layer, PassImage& image)
@@ -179,7 +188,7 @@ void PassRenderer::note_worst_pair(const EyeConnector::Worst& worst, std::uint64
 
 void PassRenderer::add_host_layers(std::uint64_t pass, PassImage& image)
 {
-    const PathTracingSettings settings{.seed = settings_.seed, .pass = pass, .max_depth = max_depth_, .layers = plan_.path_traced, .glossy_only = plan_.glossy_by_paths, .stop = settings_.stop};
+    const PathTracingSettings settings{.seed = settings_.seed, .pass = pass, .max_depth = max_depth_, .layers = plan_.path_traced, .glossy_only = plan_.glossy_by_paths, .glossy_lights = plan_.glossy_lights_by_paths, .stop = settings_.stop};
     if (!plan_.path_traced.empty()) clock_.time("trace_paths", [&] { trace_paths(scene_, visibility_, settings, image); });
     if (plan_.single) clock_.time("single", [&] { trace_single(scene_, visibility_, settings, image); });
 }
@@ -188,8 +197,8 @@ PassResult PassRenderer::render(std::uint64_t pass)
 {
     PassResult result{PassImage(scene_.camera.crop_width, scene_.camera.crop_height, plan_.rendered()), {}};
     const EyeTracingSettings wanted{.seed = settings_.seed, .pass = pass, .samples = plan_.on_device() ? plan_.selection.camera_samples : 1, .max_depth = max_depth_,
-                                   .vertices_to_come = plan_.gathers.empty() ? 2 : 1, .segments = plan_.media_to_media || plan_.gathers_at(Reach::near_segments),
-                                   .points = plan_.media_to_surface || plan_.gathers_at(Reach::near_points), .stop = settings_.stop};
+                                   .vertices_to_come = plan_.gathers.empty() ? 2 : 1, .segments = plan_.connects_segments() || plan_.gathers_at(Reach::near_segments),
+                                   .points = plan_.connects_points() || plan_.gathers_at(Reach::near_points), .stop = settings_.stop};
     EyeRecords eyes = clock_.time("trace_eyes", [&] { return trace_eyes(scene_, visibility_, wanted); });
     if (plan_.on_device()) eye_segments_ += eyes.segments.size(), eye_points_ += eyes.points.size();
     add_virtual_lights(pass, eyes, result.image);
@@ -209,11 +218,18 @@ void PassRenderer::add_savings(Report& report) const
     report.savings = savings_of(features_, plan_, masks_, pairs);
 }
 
+const EyeConnector* PassRenderer::connector_of(std::string_view layer) const
+{
+    for (const Connection& c : connections_)
+        if (name(c.layer) == layer) return c.connector.get();
+    return nullptr;
+}
+
 void PassRenderer::add_bias(Report& report) const
 {
     for (LayerReport& layer : report.layers) {
         if (layer.bias.empty()) continue;
-        const auto& connector = layer.layer == name(Layer::media_to_media) ? to_segments_ : to_points_;
+        const EyeConnector* connector = connector_of(layer.layer);
         const auto gathered = std::find_if(plan_.gathers.begin(), plan_.gathers.end(), [&](const GatherPlan& g) { return g.layers.contains(static_cast<Layer>(&layer - report.layers.data())); });
         const int dimensions = gathered == plan_.gathers.end() ? 1 : gathered->technique->blur_dimensions;
         const bool thick = gathered != plan_.gathers.end() || plan_.technique->is_thick;
@@ -228,8 +244,7 @@ void PassRenderer::fill(Report& report) const
     report.layers = plan_.reports;
     add_bias(report);
     report.max_depth = max_depth_;
-    std::uint64_t paths = light_paths_;
-    for (const Gathering& g : gathers_) paths += g.paths;
+    const std::uint64_t paths = std::accumulate(gathers_.begin(), gathers_.end(), light_paths_ + surface_light_paths_, [](std::uint64_t sum, const Gathering& g) { return sum + g.paths; });
     report.light_paths = paths * static_cast<std::uint64_t>(report.passes), report.virtual_lights = virtual_lights_;
     report.eye_segments = eye_segments_, report.eye_points = eye_points_;
     report.pairs = counts_.pairs, report.shadow_segments = counts_.shadow_segments;
@@ -256,8 +271,7 @@ void PassRenderer::add_devices(Report& report) const
         report.device += (report.device.empty() ? "" : "; ") + d.info().platform + ": " + d.info().name;
         report.driver += (report.driver.empty() ? "" : "; ") + d.info().driver;
     }
-    if (to_segments_) add_connector(*to_segments_, "media_to_media", report);
-    if (to_points_) add_connector(*to_points_, "media_to_surface", report);
+    for (const Connection& c : connections_) add_connector(*c.connector, std::string(name(c.layer)), report);
     for (const Gathering& g : gathers_) add_connector(*g.connector, std::string(g.plan.technique->title), report);
 }
 

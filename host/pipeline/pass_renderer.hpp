@@ -61,9 +61,15 @@ private:
         std::uint64_t paths = 0;  ///< per pass
     };
 
+    /// A layer of straight connections to virtual lights, ready to run.
+    struct Connection {
+        Layer layer;
+        std::unique_ptr<EyeConnector> connector{};
+    };
+
     void prepare_lights();
     SelftestReport check_devices();
-    std::unique_ptr<EyeConnector> make_connector(EyeKind kind);
+    std::unique_ptr<EyeConnector> make_connector(Layer layer);
     Gathering make_gathering(const GatherPlan& gather);
     std::uint64_t count_paths(const LightTechnique& technique, std::uint32_t lights, const LayerSet& layers) const;
     LightTracingSettings light_settings(const LightTechnique& technique) const;
@@ -77,7 +83,9 @@ private:
     void add_devices(Report& report) const;
     void add_device_settings(std::vector<StateSetting>& all) const;
     void add_light_settings(std::vector<StateSetting>& all) const;
+    const EyeConnector* connector_of(std::string_view layer) const;
     void add_virtual_lights(std::uint64_t pass, const EyeRecords& eyes, PassImage& image);
+    void connect(const VirtualLights& lights, std::uint64_t pass, std::initializer_list<Layer> layers, const EyeRecords& eyes, PassImage& image);
     void note_worst_pair(const EyeConnector::Worst& worst, std::uint64_t pass, Layer layer, PassImage& image);
     void add_host_layers(std::uint64_t pass, PassImage& image);
 
@@ -89,10 +97,10 @@ private:
     BuildMasks masks_;
     Visibility visibility_;
     std::vector<Device> devices_;  ///< all with the lane width of the first
-    std::unique_ptr<EyeConnector> to_segments_, to_points_;
-    std::vector<Gathering> gathers_;  ///< one for each of the plan's
+    std::vector<Connection> connections_;  ///< one for each layer that virtual lights carry
+    std::vector<Gathering> gathers_;       ///< one for each of the plan's
     std::optional<SelftestReport> selftest_;
-    std::uint64_t light_paths_ = 0;
+    std::uint64_t light_paths_ = 0, surface_light_paths_ = 0;  ///< for lights in media and for lights on surfaces
     StageClock clock_;
     ConnectCounts counts_;
     WorstPairReport worst_pair_;

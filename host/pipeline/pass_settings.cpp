@@ -53,6 +53,7 @@ std::vector<StateSetting> PassRenderer::settings() const
         {"precision", std::string(name_in(precision_names, precision))},
         {"math", std::string(name_in(math_names, math))},
         {"features", fmt::format("{:x} {:x}", masks_.media_to_media, masks_.media_to_surface)},
+        {"features of lights on surfaces", plan_.lights_on_surfaces() ? fmt::format("{:x} {:x}", masks_.surface_to_media, masks_.surface_indirect) : "none"},
     });
     add_device_settings(all);
     return all;
@@ -62,11 +63,11 @@ std::vector<StateSetting> PassRenderer::settings() const
 void PassRenderer::add_light_settings(std::vector<StateSetting>& all) const
 {
     all.insert(all.end(), {
-        {"virtual lights", std::string(plan_.technique->name)},
+        {"virtual lights", std::string(plan_.technique->name) + (plan_.on_surfaces ? ", " + std::string(plan_.on_surfaces->name) : "")},
         {"bound of 1 / w^2", fmt::format("{:.17g}", plan_.clamp)},
         {"radius of the first pass", fmt::format("{:.17g}", plan_.radius)},
         {"lights", text_of(plan_.selection)},
-        {"light paths", fmt::to_string(light_paths_)},
+        {"light paths", plan_.lights_on_surfaces() ? fmt::format("{} and {}", light_paths_, surface_light_paths_) : fmt::to_string(light_paths_)},
         {"samples", fmt::to_string(settings_.samples_per_pair)},
         {"sampler", fmt::to_string(plan_.sampler)},
         {"sequence", std::string(name_in(sequence_names, settings_.sequence))},
@@ -76,7 +77,7 @@ void PassRenderer::add_light_settings(std::vector<StateSetting>& all) const
 
 const ConnectSettings* PassRenderer::connect_settings() const
 {
-    if (to_segments_ || to_points_) return &(to_segments_ ? to_segments_ : to_points_)->settings();
+    if (!connections_.empty()) return &connections_.front().connector->settings();
     return &gathers_.front().connector->settings();
 }
 
@@ -90,8 +91,7 @@ void PassRenderer::add_device_settings(std::vector<StateSetting>& all) const
         drivers += (drivers.empty() ? "" : "; ") + device.info().driver;
     }
     all.push_back({"device", names}), all.push_back({"driver", drivers});
-    for (const auto* each : {to_segments_.get(), to_points_.get()})
-        if (each) all.push_back({each == to_segments_.get() ? "kernels of media_to_media" : "kernels of media_to_surface", each->stages().front()->options()});
+    for (const Connection& c : connections_) all.push_back({"kernels of " + std::string(name(c.layer)), c.connector->stages().front()->options()});
     for (const Gathering& g : gathers_) all.push_back({"kernels of " + std::string(g.plan.technique->title), g.connector->stages().front()->options()});
 }
 

@@ -5,27 +5,37 @@
 namespace tyndall {
 namespace {
 
+/// Titles of the gathered lights whose kernels read media and lack the feature; what they never have is no saving of the scene's.
+std::string gathered_without(std::uint32_t bit, const LayerPlan& plan, const BuildMasks& masks)
+{
+    constexpr std::uint32_t never = feature_bit::occluders | feature_bit::boundaries | feature_bit::nonconvex_media;
+    std::string titles;
+    for (const GatherPlan& gather : plan.gathers)
+        if (gather.technique->reach == Reach::near_segments && !((never | masks.media_to_media | masks.media_to_surface) & bit)) titles += (titles.empty() ? "" : " and ") + std::string(gather.technique->title);
+    return titles;
+}
+
 /// Features that the masks of the layers that run do not have, as seconds over the pairs of those layers.
 SavingReport saving_of(const Effect& effect, const LayerPlan& plan, const BuildMasks& masks, const PairCounts& counts)
 {
     const std::uint32_t bit = effect.row.bit;
     double pairs = 0;
     std::string layers;
-    const auto add = [&](bool runs, std::uint32_t mask, double of_layer, const char* layer) {
-        if (runs && !(mask & bit)) pairs += of_layer, layers += (layers.empty() ? "" : " and ") + std::string(layer);
-    };
-    add(plan.media_to_media, masks.media_to_media, counts.to_segments, "media_to_media");
-    add(plan.media_to_surface, masks.media_to_surface, counts.to_points, "media_to_surface");
+    const auto add = [&](const std::string& what) { layers += (layers.empty() || what.empty() ? "" : " and ") + what; };
+    for (const Layer layer : connected_layers(plan))
+        if (!(masks.of(layer) & bit)) pairs += eyes_of(layer) == EyeKind::segments ? counts.to_segments : counts.to_points, add(std::string(name(layer)));
+    add(gathered_without(bit, plan, masks));
     if (layers.empty()) return {};
     const double cost = nominal_pair_seconds(bit);
-    return {std::string(effect.row.saving), layers + " without " + std::string(effect.row.name), cost < 0 ? -1 : cost * pairs};
+    return {std::string(effect.row.saving), layers + " without " + std::string(effect.row.name), cost < 0 || pairs == 0 ? -1 : cost * pairs};
 }
 
 void add_skipped_layers(const LayerPlan& plan, const PairCounts& counts, std::vector<SavingReport>& savings)
 {
     for (const LayerReport& layer : plan.reports) {
         if (!layer.skipped || layer.why == "turned off") continue;
-        const bool connected = layer.layer == name(Layer::media_to_media) || layer.layer == name(Layer::media_to_surface);
+        const bool connected = layer.layer == name(Layer::media_to_media) || layer.layer == name(Layer::media_to_surface) ||
+                               (plan.on_surfaces && (layer.layer == name(Layer::surface_to_media) || layer.layer == name(Layer::surface_indirect)));
         const double pairs = counts.pixels * counts.lights_per_pass;
         if (connected && pairs > 0) savings.push_back({"layer " + layer.layer, layer.why, pairs * nominal_plain_pair_seconds});  // the others stand among the layers
     }
@@ -49,12 +59,14 @@ double nominal_pair_seconds(std::uint32_t feature)
 std::vector<SavingReport> savings_of(const SceneFeatures& features, const LayerPlan& plan, const BuildMasks& masks, const PairCounts& counts)
 {
     std::vector<SavingReport> savings;
-    if (plan.virtual_lights())
+    if (plan.on_device())
         for (const Effect& effect : features.effects) {
             if (effect.row.bit == 0) continue;
             SavingReport saving = saving_of(effect, plan, masks, counts);
             if (!saving.what.empty()) savings.push_back(std::move(saving));
         }
+    for (const GatherPlan& gather : plan.gathers)
+        savings.push_back({"shadow segments and clipping at boundaries of media", std::string(gather.technique->title) + ": eyes take from light paths that come near, so nothing lies between", -1});
     add_skipped_layers(plan, counts, savings);
     return savings;
 }

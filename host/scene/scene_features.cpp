@@ -113,6 +113,17 @@ void note_occluders(const Scene& scene, const std::vector<Container>& containers
     }
 }
 
+/// Kernels for connections to lights on surfaces: the media's features, and where such lights stand: outside of media, behind anything, across any boundary.
+void find_surface_masks(const Scene& scene, SceneFeatures& f)
+{
+    const bool bounded = std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const Shape& s) { return s.medium_boundary && s.interior != s.exterior; });
+    std::uint32_t mask = f.mask() & ~(feature_bit::short_lights | feature_bit::occluders | feature_bit::boundaries | feature_bit::nonconvex_media);
+    mask |= feature_bit::occluders | (f.mask() & feature_bit::nonconvex_media);
+    if (first_null_boundary(scene)) mask |= feature_bit::boundaries;
+    else if (bounded) mask |= feature_bit::many_media;  // walls and glass end the medium: a light may have vacuum in front of it
+    f.surface_to_media = mask, f.surface_indirect = mask & ~(feature_bit::anisotropic | feature_bit::phase_lobes);
+}
+
 /// The lines of the list for this scene.
 std::vector<Effect> effects_of(const Scene& scene, const std::vector<FeatureCause>& causes)
 {
@@ -171,6 +182,7 @@ SceneFeatures features_of(const Scene& scene, bool short_lights, int max_depth)
     }
     note_occluders(scene, f.containers, notes);
     f.media_to_media = notes.mask(Layer::media_to_media), f.media_to_surface = notes.mask(Layer::media_to_surface);
+    find_surface_masks(scene, f);
     f.causes = std::move(notes).causes();
     f.effects = effects_of(scene, f.causes);
     const auto found = [&](std::string_view name) { return std::any_of(f.effects.begin(), f.effects.end(), [&](const Effect& e) { return e.row.name == name && e.found; }); };

@@ -47,6 +47,8 @@ struct SceneFeatures {
     bool glossy_surfaces = false;     ///< some surface scatters, but not the same in all directions of one side: virtual lights do not connect to it
     bool specular_surfaces = false;   ///< mirrors or glass
     std::uint32_t media_to_media = 0, media_to_surface = 0;  ///< masks of kernels/shared/scene_features.h for the connections of the two layers
+    /// The same for lights on surfaces. What they need besides is a rule: something may always stand between them and an eye, and they may stand outside of every medium.
+    std::uint32_t surface_to_media = 0, surface_indirect = 0;
     std::vector<Container> containers;  ///< empty unless every null boundary is a convex polyhedron, disjoint from the others, in vacuum
     std::vector<Effect> effects;        ///< one for every line of effect_list()
     std::vector<FeatureCause> causes;   ///< one for every bit of the two masks

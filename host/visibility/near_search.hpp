@@ -15,6 +15,9 @@ struct Capsule {
     double length, radius;
 };
 
+/// What the search holds for each piece, Embree's tree included, and how many pieces a long capsule makes in the mean, at most: for estimates of memory.
+inline constexpr std::size_t near_bytes_per_piece = 128, near_pieces_per_line = 17;
+
 class NearSearch {
 public:
     NearSearch();

@@ -14,7 +14,7 @@ LAYOUT(VirtualBeamLight, 80)
 
 typedef VirtualBeamLight Light;
 
-enum { LIGHT_IS_LINE = 1 };
+enum { LIGHT_IS_LINE = 1, LIGHT_ON_SURFACE = 0 };
 PURE uint light_medium(VirtualBeamLight light) { return light.ray.medium; }
 PURE uint light_depth(VirtualBeamLight light) { return light.ray.depth; }
 PURE real3 light_origin(VirtualBeamLight light) { return ray_origin(light.ray); }

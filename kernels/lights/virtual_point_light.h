@@ -3,8 +3,8 @@
 #ifndef VIRTUAL_POINT_LIGHT_H
 #define VIRTUAL_POINT_LIGHT_H
 
-#include "kernels/math/eye_and_light.h"
 #include "kernels/math/light_estimate.h"
+#include "kernels/math/point_light.h"
 
 typedef struct {
     float position_x, position_y, position_z;
@@ -18,7 +18,7 @@ LAYOUT(VirtualPointLight, 48)
 
 typedef VirtualPointLight Light;
 
-enum { LIGHT_IS_LINE = 0 };
+enum { LIGHT_IS_LINE = 0, LIGHT_ON_SURFACE = 0 };
 PURE uint light_medium(VirtualPointLight light) { return light.medium; }
 PURE uint light_depth(VirtualPointLight light) { return light.depth; }
 PURE real3 light_origin(VirtualPointLight light) { return make_real3((real)light.position_x, (real)light.position_y, (real)light.position_z); }
@@ -29,17 +29,9 @@ PURE real3 point_power(VirtualPointLight light) { return make_real3((real)light.
 
 // To an eye segment: only the place on it is drawn, by the second random number.
 
-/// The place on the light: there is one.
-typedef struct { real v; } PlaceOnLight;
-PURE PlaceOnLight place_on_light(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualPointLight light, MediumRecord medium, real xi)
-{
-    PlaceOnLight place = {R(0.0)};
-    return place;
-}
-PURE PlaceOnLight find_on_light(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualPointLight light, MediumRecord medium, real v)
-{
-    return place_on_light(eye, eye_medium, light, medium, v);
-}
+typedef PointPlace PlaceOnLight;
+PURE PlaceOnLight place_on_light(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualPointLight light, MediumRecord medium, real xi) { return point_place(); }
+PURE PlaceOnLight find_on_light(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualPointLight light, MediumRecord medium, real v) { return point_place(); }
 
 /// What the density on the eye segment follows besides the angle: as for rays, with nothing along the light.
 PURE GuideMedia point_guide_media(MediumLanes eye_medium, MediumRecord medium)
@@ -53,15 +45,6 @@ PURE GuideMedia point_guide_media(MediumLanes eye_medium, MediumRecord medium)
     return guide;
 }
 
-/// u with the weight 1 / (w^2 pdf(u)) = R / q (eq. 58): finite at contact, where R is as large as its guard lets it be.
-PURE Places place_at(AngleSample angle, real warp_density)
-{
-    Places places;
-    places.v = R(0.0), places.u = angle.u;
-    places.weight = angle.angle_over_distance / warp_density;
-    places.floored = angle.u < R(0.0);                              // never: the angle has no floor
-    return places;
-}
 PURE Places place_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualPointLight light, MediumRecord medium, PlaceOnLight on_light, PhaseTables tables, real xi)
 {
     real3 p = sub3(light_origin(light), eye.origin);
@@ -69,7 +52,7 @@ PURE Places place_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, Virtua
     if (SAMPLER_WARPS)
         warp = sample_lobe_product(p, eye.direction, eye.length, light_direction(light), point_guide_media(eye_medium, medium), eye_medium.phase, phase_range(medium), tables,
                                    warp_shape(), xi);
-    return place_at(sample_equiangular(p, eye.direction, eye.length, warp.x), warp.density);
+    return place_beside_point(sample_equiangular(p, eye.direction, eye.length, warp.x), warp.density);
 }
 PURE Places find_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualPointLight light, MediumRecord medium, PlaceOnLight on_light, PhaseTables tables, real u)
 {
@@ -78,16 +61,10 @@ PURE Places find_on_segment(EyeSegmentLanes eye, MediumLanes eye_medium, Virtual
     if (SAMPLER_WARPS)
         density = pdf_lobe_product(p, eye.direction, eye.length, light_direction(light), point_guide_media(eye_medium, medium), eye_medium.phase, phase_range(medium), tables,
                                    warp_shape(), invert_equiangular(p, eye.direction, eye.length, u));
-    return place_at(angle_at(p, eye.direction, eye.length, u), density);
+    return place_beside_point(angle_at(p, eye.direction, eye.length, u), density);
 }
 
-/// The place with the weight that it has when with the chance `share` it is drawn with density `other`, per length of u, instead.
-PURE Places share_places(EyeSegmentLanes eye, VirtualPointLight light, Places at, real other, real share)
-{
-    real3 d = along3(sub3(light_origin(light), eye.origin), -at.u, eye.direction);
-    at.weight = shared_weight(at.weight, other * dot3(d, d), share);
-    return at;
-}
+PURE Places share_places(EyeSegmentLanes eye, VirtualPointLight light, Places at, real other, real share) { return share_beside_point(eye, light_origin(light), at, other, share); }
 
 /// Everything but the transmittance of the connection. on_eye: what lies along the eye segment up to the place.
 PURE Connection connect_segment_at(EyeSegmentLanes eye, MediumLanes eye_medium, VirtualPointLight light, MediumRecord medium, PhaseTables tables, Places at,
@@ -114,26 +91,8 @@ PURE Connection connect_segment(EyeSegmentLanes eye, MediumLanes eye_medium, Vir
 
 // To a surface point nothing is drawn.
 
-typedef struct {
-    real v;
-    real weight;   ///< max(n . omega, 0) / w^2
-    mask floored;  ///< nearer than positions can tell: the floor of eq. 59 was active
-} PlaceFromPoint;
-
-/// w^2 is formed in units of a power of two of its size, which is at least epsilon^2 of the larger position: nearer is nothing that rounding left (eq. 59).
-PURE PlaceFromPoint place_on_light_from_point(EyePointLanes eye, VirtualPointLight light, real xi)
-{
-    real3 at = light_origin(light), d = sub3(at, eye.position);
-    real nearest = fmax(REAL_EPSILON * REAL_EPSILON * fmax(largest3(at), largest3(eye.position)), R(0x1p-62));  // so that 1 / w^2 is a float
-    real size = largest3(d), inverse = reciprocal_power_of_two(fmax(size, nearest));
-    real3 q = scale3(d, inverse);
-    real w2 = fmax(dot3(q, q), R(1.0));                             // at least 1 but under the floor
-    PlaceFromPoint place;
-    place.v = R(0.0);
-    place.weight = fmax(dot3(eye.normal, q), R(0.0)) / (w2 * sqrt(w2)) * inverse * inverse;
-    place.floored = size < nearest;
-    return place;
-}
+typedef PointFromPoint PlaceFromPoint;
+PURE PlaceFromPoint place_on_light_from_point(EyePointLanes eye, VirtualPointLight light, real xi) { return place_from_point(eye, light_origin(light)); }
 PURE PlaceFromPoint find_on_light_from_point(EyePointLanes eye, VirtualPointLight light, real v) { return place_on_light_from_point(eye, light, v); }
 PURE PlaceFromPoint share_place(EyePointLanes eye, VirtualPointLight light, PlaceFromPoint at, real other, real share) { return at; }
 

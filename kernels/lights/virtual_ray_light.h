@@ -8,7 +8,7 @@
 typedef RayLight VirtualRayLight;
 typedef VirtualRayLight Light;
 
-enum { LIGHT_IS_LINE = 1 };  ///< shines from everywhere between its origin and light_length along its direction
+enum { LIGHT_IS_LINE = 1, LIGHT_ON_SURFACE = 0 };  ///< shines from everywhere between its origin and light_length along its direction
 PURE uint light_medium(VirtualRayLight light) { return light.medium; }
 PURE uint light_depth(VirtualRayLight light) { return light.depth; }
 PURE real3 light_origin(VirtualRayLight light) { return ray_origin(light); }

@@ -21,6 +21,7 @@
 #include "kernels/math/transmittance.h"
 #include "kernels/math/blur.h"
 #include "kernels/math/eye_and_light.h"
+#include "kernels/math/point_light.h"
 #include "kernels/math/ray_light.h"
 
 #endif

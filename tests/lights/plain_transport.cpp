@@ -129,4 +129,21 @@ glm::dvec3 transport_from_point(const SurfacePair& s)
     return p.flux * glm::exp(-p.sigma_t * w) * (phase(p, glm::dot(p.b, d / w)) * std::max(glm::dot(s.n, -d / w), 0.0) / (w * w));
 }
 
+glm::dvec3 transport_from_surface(const Pair& p)
+{
+    return p.flux * p.sigma_s * integrate(p.eye_length, [&](double u) {
+        const glm::dvec3 d = p.o + u * p.a - p.p;
+        const double w = glm::length(d);
+        return glm::exp(-p.sigma_t * (u + w)) * (std::max(glm::dot(p.b, d / w), 0.0) * phase(p, glm::dot(d / w, -p.a)) / (w * w));
+    });
+}
+
+glm::dvec3 transport_from_surface(const SurfacePair& s)
+{
+    const Pair& p = s.light;
+    const glm::dvec3 d = s.x - p.p;
+    const double w = glm::length(d);
+    return p.flux * glm::exp(-p.sigma_t * w) * (std::max(glm::dot(p.b, d / w), 0.0) * std::max(glm::dot(s.n, -d / w), 0.0) / (w * w));
+}
+
 }  // namespace tyndall::plain

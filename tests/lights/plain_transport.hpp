@@ -41,4 +41,9 @@ glm::dvec3 transport(const SurfacePair& pair, const Geometry& geometry = {});
 glm::dvec3 transport_from_point(const Pair& pair);
 glm::dvec3 transport_from_point(const SurfacePair& pair);
 
+/// The same for a light on a surface at the pair's `p` that faces `b`, flux being its power per steradian and cosine: flux sigma_s f T max(b . omega, 0) / w^2 over the eye segment, and flux T
+/// max(n . omega, 0) max(-b . omega, 0) / w^2.
+glm::dvec3 transport_from_surface(const Pair& pair);
+glm::dvec3 transport_from_surface(const SurfacePair& pair);
+
 }  // namespace tyndall::plain

@@ -24,7 +24,8 @@ std::vector<std::byte> lights_of(std::string_view name)
         for (std::uint32_t i = 0; technique.name == name && i < light_count; ++i) {
             const double t = .3 * i;
             const Vec3 direction = glm::normalize(Vec3(std::cos(t), std::sin(t), .4));
-            if (technique.arrive) technique.arrive({.position = Vec3(0), .direction = direction, .facing = -direction, .flux = Rgb(1, .5, .25), .depth = static_cast<int>(i % 3), .radius = 5}, records);
+            if (technique.arrive) technique.arrive({.position = Vec3(0), .direction = direction, .facing = -direction, .flux = Rgb(1, .5, .25), .depth = static_cast<int>(i % 3), .radius = 5, .off_surface = .5 * Vec3(std::sin(3 * t), std::cos(5 * t), std::sin(7 * t)),
+                                                    .normal = -direction, .reflected = Rgb(.5, .25, .125), .medium = static_cast<int>(i % 2)}, records);
             else technique.deposit({.origin = .5 * Vec3(std::sin(3 * t), std::cos(5 * t), std::sin(7 * t)), .direction = direction, .length = .3 + .02 * i, .medium = 0, .flux = Rgb(1, .5, .25),
                                .depth = static_cast<int>(i % 3), .is_short = i % 2 == 1, .channel = Rgb(.5, .3, .2), .collision = .1, .radius = .05, .scattered = Rgb(.4)}, records);
         }

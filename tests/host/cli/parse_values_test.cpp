@@ -1,5 +1,6 @@
 #include "cli/parse_values.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cli/render_command.hpp"
@@ -84,6 +85,24 @@ TEST(ParseValues, ALayerMayBePathTraced)
     parse_layer_wishes("--layer", "single,media_to_surface=path", two);
     EXPECT_EQ(two.kept(), LayerSet().add(Layer::single).add(Layer::media_to_surface));
     for (const auto* text : {"media_to_media=vpl", "media_to_media=", "media_to_medai=path"}) EXPECT_THROW(parse_layer_wishes("--layer", text, two), UsageError) << text;
+}
+
+TEST(ParseValues, ALayerThatLightsDoNotCarryIsRefusedWithThoseWhoDo)
+{
+    const auto refusal = [](const std::string& text) -> std::string {
+        LayerWishes wishes;
+        try {
+            parse_layer_wishes("--layer", text, wishes);
+        } catch (const UsageError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(refusal("surface_indirect=vrl"), testing::HasSubstr("virtual ray lights do not carry surface_indirect; --method photons, vpl, vpl-clamped, talk, path does"));
+    EXPECT_THAT(refusal("media_to_media.specular=vpl"), testing::HasSubstr("virtual point lights do not carry media_to_media.specular; --method beams, talk, path does"));
+    EXPECT_THAT(refusal("single=photons"), testing::HasSubstr("photons do not carry single; --method beams, talk, path does"));
+    EXPECT_THAT(refusal("media_to_media=vpl"), testing::HasSubstr("--method vpl sets the kind of light for all layers"));
+    EXPECT_THAT(refusal("media_to_media=vlp"), testing::HasSubstr("did you mean \"vpl\"?"));
 }
 
 TEST(ParseValues, FeaturesAreNamesOrAllOrNoneOrOwn)

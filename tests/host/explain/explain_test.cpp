@@ -95,9 +95,9 @@ TEST(Explain, NamesTheElementOfEveryEffectThatWasFound)
 TEST(Explain, NamesKernelsWithTheirMasks)
 {
     using Names = std::vector<std::string>;
-    const Names of_all{"media_to_media.sample_pairs: OCCLUDERS", "both layers.accumulate_pairs: none", "media_to_surface.sample_pairs: OCCLUDERS"};
+    const Names of_all{"media_to_media.sample_pairs: OCCLUDERS", "all layers.accumulate_pairs: none", "media_to_surface.sample_pairs: OCCLUDERS"};
     EXPECT_EQ(kernel_names(explained(foggy_room(), {.selection = Selection::all})), of_all);
-    EXPECT_THAT(kernel_names(explained(foggy_room())), testing::IsSupersetOf(Names{"media_to_media.estimate_lights: none", "both layers.weigh_lights: none", "both layers.select_lights: none"}));
+    EXPECT_THAT(kernel_names(explained(foggy_room())), testing::IsSupersetOf(Names{"media_to_media.estimate_lights: none", "all layers.weigh_lights: none", "all layers.select_lights: none"}));
     EXPECT_TRUE(explained(foggy_room(), {.method = Method::path}).kernels.empty() && explained(scene_of({lamp(), far_ball})).kernels.empty());
     const Explanation by_hand = explained(foggy_room(), {.features = feature_bit::occluders | feature_bit::anisotropic, .lanes = 8});
     EXPECT_EQ(by_hand.kernels[0].features, "ANISOTROPIC OCCLUDERS");
@@ -111,7 +111,7 @@ TEST(Explain, BuildsWhatTheRenderBuilds)
         const Explanation e = explained(scene, {.lights = 16, .lanes = 16});
         EXPECT_EQ(report.programs, e.kernels.size());
         for (const KernelReport& kernel : e.kernels)
-            if (kernel.layer != "both layers" && kernel.kernel != "estimate_lights") { EXPECT_THAT(report.build_options, HasSubstr(kernel.layer + ": " + kernel.options)); }
+            if (kernel.layer != "all layers" && kernel.kernel != "estimate_lights") { EXPECT_THAT(report.build_options, HasSubstr(kernel.layer + ": " + kernel.options)); }
     }
 }
 
@@ -191,6 +191,17 @@ TEST(Explain, GridsTakeMemoryOnHostAndDevice)
     EXPECT_EQ(bytes(box_of_smoke(1), false), 2048u);
     EXPECT_EQ(bytes(box_of_smoke(1), true), 2048u);  // of its one kind of eye
     EXPECT_EQ(bytes(box_of_fog(), false) + bytes(box_of_fog(), true), 0u);
+}
+
+TEST(Explain, DensityEstimationTakesMemoryAndSavesShadowSegments)
+{
+    const Explanation e = explained(foggy_room(), {.method = Method("talk"), .passes = 1, .lights = 1000});
+    for (const char* lights : {"photon beams", "photons", "media_to_media"})
+        for (const char* what : {": eyes and their sums", ": lights"})
+            EXPECT_THAT(e.memory, Contains(testing::Truly([&](const MemoryReport& m) { return m.bytes > 0 && m.on_device && m.what.starts_with(lights) && m.what.find(what[2] == 'e' ? "eyes" : "lights") != std::string::npos; }))) << lights << what;
+    EXPECT_THAT(e.memory, Contains(testing::Truly([](const MemoryReport& m) { return m.what == "photons: lights" && m.bytes == 64000; })));
+    EXPECT_THAT(e.savings, Contains(testing::Field(&SavingReport::because, HasSubstr("photon beams: eyes take from light paths that come near"))));
+    EXPECT_THAT(e.savings, Contains(testing::Field(&SavingReport::because, HasSubstr("and photon beams without COLOURED"))));
 }
 
 TEST(Explain, DoubtsGoByTheDensestVoxel)

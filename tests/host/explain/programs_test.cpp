@@ -62,8 +62,7 @@ TEST(Programs, OfShippedScenesAreAmongThoseThatPrebuildBuilds)
         const LayerPlan plan = plan_layers(scene, features, settings);
         const BuildMasks masks = build_masks(features, plan, {});
         std::set<std::string> needed;
-        if (plan.media_to_media) add(pair_program(plan, settings, EyeKind::segments, masks, 16), needed);
-        if (plan.media_to_surface) add(pair_program(plan, settings, EyeKind::points, masks, 16), needed);
+        for (const Layer layer : connected_layers(plan)) add(pair_program(plan, settings, layer, masks, 16), needed);
         for (const std::string& program : needed) EXPECT_TRUE(everyday.contains(program)) << name << ": " << program;
     }
 }

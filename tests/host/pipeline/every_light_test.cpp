@@ -18,7 +18,7 @@ std::vector<std::string> unbiased_methods()
 {
     std::vector<std::string> methods;
     for (const LightTechnique& technique : light_techniques())
-        if (technique.unbiased) methods.emplace_back(technique.method);
+        if (technique.unbiased && !technique.on_surfaces) methods.emplace_back(technique.method);
     return methods;
 }
 

@@ -28,7 +28,9 @@ TEST(MediaTables, ScatteringIsExtinctionWhereAGridMultipliesIt)
 {
     const MediaTables tables = media_tables(scene_of_grids(), {});
     const auto sigma_s = [&](std::size_t i) { return std::array{tables.media[i].sigma_s_r, tables.media[i].sigma_s_g, tables.media[i].sigma_s_b}; };
-    ASSERT_EQ(tables.media.size(), 3u);
+    ASSERT_EQ(tables.media.size(), 4u);
+    EXPECT_EQ(tables.media[3].sigma_t_r, 0) << "the last is vacuum";
+    EXPECT_EQ(tables.media[3].density_grid, NO_GRID);
     EXPECT_EQ(sigma_s(0), (std::array{.5f, .5f, 4.f}));
     EXPECT_EQ(sigma_s(1), (std::array{4.f, 2.f, 8.f}));
     EXPECT_EQ(sigma_s(2), (std::array{8.f, 8.f, 8.f}));
