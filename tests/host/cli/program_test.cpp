@@ -186,7 +186,7 @@ TEST_F(Program, UsageErrorsExitWith2AndHelp)
         {{"render", "scene.xml", "--method", "vpl-clamped", "--clamp", "0"}, "--clamp \"0\": must be a number"},
         {{"render", "scene.xml", "--method", "vpl-clamped", "--clamp", "nan"}, "--clamp \"nan\": must be a number"},
         {{"render", "scene.xml", "--beam-radius", "-1"}, "--beam-radius \"-1\": must be a share"},
-        {{"render", "scene.xml", "--method", "photons", "--beam-radius", "0"}, "--beam-radius \"0\": must be a share"},
+        {{"render", "scene.xml", "--method", "photons", "--beam-radius", "0"}, "the beam radius must be above 0"},
         {{"render", "scene.xml", "--method", "vpl-clamped", "--clamp", "-1"}, "--clamp \"-1\": must be a number"},
         {{"render", "scene.xml", "--exposure", "nan"}, "--exposure \"nan\""},
         {{"render", "scene.xml", "-o", "a.png"}, "must end in .exr"},
