@@ -10,6 +10,7 @@
 #include "cli/exit_code.hpp"
 #include "cli/explain_command.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/kernel_cache.hpp"
 #include "cli/list_commands.hpp"
 #include "cli/manual.hpp"
 #include "cli/option_sources.hpp"
@@ -223,6 +224,13 @@ try {
     throw UsageError(error.what() + source_of_mistake(error.what(), given));
 }
 
+/// Will OpenCL be called?
+bool uses_device(const CLI::App& app, const Request& request)
+{
+    if (app.got_subcommand("render")) return request.render.settings.method != Method::path;
+    return !app.got_subcommand("info") && !app.got_subcommand("merge") && !app.got_subcommand("man") && !app.got_subcommand("completion");
+}
+
 int run(int argc, char** argv)
 {
     Request request;
@@ -235,6 +243,8 @@ int run(int argc, char** argv)
         const auto scene = scene_of(app, request);
         return print(config_listing(*app.get_subcommands().front(), given, scene ? &*scene : nullptr));
     }
+    std::optional<KernelCache> cache;
+    if (uses_device(app, request)) cache.emplace();
     std::string invocation = "tyndall";
     for (int i = 1; i < argc; ++i) invocation += " " + shell_quoted(argv[i]);
     request.compare.invocation = request.bench.invocation = invocation;

@@ -163,6 +163,7 @@ private:
                 const Report report = write_image(paths_, state, command_.image);
                 if (style_ != ProgressStyle::none) print_summary(report, scene.warnings);
                 outputs = report.outputs;
+                not_finite_ = report.ledger.not_finite_pixels + report.ledger.not_finite_pairs;
             } else {
                 write_state(shard_file_, state);
             }
@@ -186,6 +187,10 @@ private:
 
     int exit_code(const RenderState& state) const
     {
+        if (command_.strict_nan && not_finite_ > 0) {
+            fmt::print(stderr, "tyndall: {} samples were not finite numbers and were left out, which --strict-nan takes for a failure; the report names the first; please report it with the scene\n", not_finite_);
+            return static_cast<int>(ExitCode::internal);
+        }
         const bool missed = command_.settings.target_error > 0 && state.report.stopped_by != "target error";
         return static_cast<int>(missed ? ExitCode::target_not_reached : ExitCode::ok);
     }
@@ -198,6 +203,7 @@ private:
     ProgressView view_;
     InterruptGuard interrupt_;
     std::optional<LiveView> live_;
+    std::uint64_t not_finite_ = 0;  ///< samples
 };
 
 }  // namespace

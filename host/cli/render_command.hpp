@@ -27,6 +27,7 @@ struct RenderCommand {
     std::optional<double> checkpoint_seconds;   ///< between two of them, 0: none; nothing: by rule (cli/checkpoint.hpp)
     bool resume = false;                        ///< go on from the checkpoint, if there is one
     std::optional<ViewerAddress> viewer;        ///< where the image is shown while it is rendered
+    bool strict_nan = false;                    ///< exit code 1 if a sample was not a finite number
     bool dry_run = false;                       ///< check everything and say what would be done
 };
 

@@ -195,6 +195,7 @@ void add_output(CLI::App& app, RenderCommand& command)
     })->envname("TYNDALL_PROGRESS");
     add(app, "--display-server", "HOST:PORT", "show the image in the viewer tev while it is rendered (port 14158)",
         [&](const auto& text) { command.viewer = parse_viewer("--display-server", text); });
+    app.add_flag("--strict-nan", command.strict_nan, "exit code 1 if a sample was not a finite number; it is left out and counted in any case");
 }
 
 }  // namespace

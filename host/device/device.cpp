@@ -82,7 +82,7 @@ cl::Program compiled(DeviceState& state, const std::string& text, const std::str
         } catch (const cl::Error&) {
         }
         throw BuildError(state.info.platform + ": " + state.info.name + ": kernels did not compile with " + opencl_error_name(code) + ", options \"" + options +
-                         "\":\n" + log);
+                         "\":\n" + log + (log.find("error:") == std::string::npos ? "\nthe log names no error in the kernels: does the driver have room and the right to write where it keeps what it builds (PoCL: POCL_CACHE_DIR)?" : ""));
     }
     return program;
 }

@@ -103,6 +103,21 @@ Violations dead_links(const fs::path& root)
     return found;
 }
 
+Violations tests_that_are_not_there(const fs::path& root)
+{
+    static const std::regex definition(R"(\bTEST(_F|_P)?\((\w+), (\w+)\))"), mention(R"(`([A-Z]\w+\.[A-Z]\w+)`)");
+    std::set<std::string> tests;
+    for (const SourceFile& file : read_files(root, "tests", {"_test.cpp"}))
+        for (const std::string& line : file.lines)
+            for (std::sregex_iterator match(line.begin(), line.end(), definition), end; match != end; ++match) tests.insert((*match)[2].str() + "." + (*match)[3].str());
+    Violations found;
+    for (const SourceFile& file : read_files(root, "host/docs", {"faults.md"}))
+        for (std::size_t i = 0; i < file.lines.size(); ++i)
+            for (std::sregex_iterator match(file.lines[i].begin(), file.lines[i].end(), mention), end; match != end; ++match)
+                if (!tests.contains((*match)[1])) found.push_back(violation(file, i, "there is no test " + (*match)[1].str()));
+    return found;
+}
+
 Violations scenes_not_reproduced(const fs::path& root)
 {
     Violations found;

@@ -148,6 +148,14 @@ TEST(PlantedViolation, DeadLinkIsFound)
                 UnorderedElementsAre("README.md:2: there is no host/gone.cpp", "host/README.md:2: the link to film/ leads nowhere"));
 }
 
+TEST(PlantedViolation, ATestThatADocumentMadeUpIsFound)
+{
+    const TemporaryFolder tree;
+    tree.write("tests/a_test.cpp", "TEST(Films, AreRight)\nTEST_P(Lanes, Agree)\n");
+    tree.write("host/docs/faults.md", "`Films.AreRight`, `Lanes.Agree`\n`scene.xml` `Films.AreWrong`\n");
+    EXPECT_THAT(tests_that_are_not_there(tree.path()), ElementsAre("host/docs/faults.md:2: there is no test Films.AreWrong"));
+}
+
 TEST(PlantedViolation, GeometryThatItsScriptDoesNotWriteIsFound)
 {
     const TemporaryFolder tree;

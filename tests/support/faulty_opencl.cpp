@@ -3,8 +3,11 @@
 #define CL_TARGET_OPENCL_VERSION 300
 #include <CL/cl.h>
 #include <dlfcn.h>
+#include <unistd.h>
 
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <map>
 #include <mutex>
 #include <sstream>
@@ -15,7 +18,8 @@ void OpenClFaults::reset()
 {
     calls = 0, fail_at = -1, failures = 1, error = -5;
     largest_buffer = memory = largest_group = largest_asked = 0;
-    no_profiling = no_devices = no_platforms = false;
+    no_profiling = no_devices = no_platforms = queries = late = hang = say = false;
+    poison = -1, reads = 0;
     failed.clear();
 }
 
@@ -39,6 +43,11 @@ void read_environment(OpenClFaults& faults)
         if (name == "no_profiling") faults.no_profiling = value != 0;
         if (name == "no_devices") faults.no_devices = value != 0;
         if (name == "no_platforms") faults.no_platforms = value != 0;
+        if (name == "queries") faults.queries = value != 0;
+        if (name == "late") faults.late = value != 0;
+        if (name == "hang") faults.hang = value != 0;
+        if (name == "poison") faults.poison = value;
+        if (name == "say") faults.say = value != 0;
     }
 }
 
@@ -65,8 +74,16 @@ cl_int verdict(const char* function)
     if (first < 0 || call < first || call - first >= faults.failures) return CL_SUCCESS;
     const std::lock_guard lock(guard);
     faults.failed = function;
+    if (faults.say) std::fprintf(stderr, "faulty OpenCL: %s\n", function);
+    while (faults.hang) ::pause();
     return faults.error;
 }
+
+/// The same for a call that only asks.
+cl_int verdict_on_query(const char* function) { return opencl_faults().queries ? verdict(function) : CL_SUCCESS; }
+
+/// What a call returns that has done its work all the same.
+cl_int after_all(cl_int code, cl_int real) { return code != CL_SUCCESS ? code : real; }
 
 cl_int room_for(std::size_t bytes)
 {
@@ -89,16 +106,26 @@ Handle refused(cl_int code, cl_int* out)
 }  // namespace
 }  // namespace tyndall::test
 
+using tyndall::test::after_all;
 using tyndall::test::opencl_faults;
 using tyndall::test::verdict;
+using tyndall::test::verdict_on_query;
 
 #define REAL(name) (reinterpret_cast<decltype(&name)>(dlsym(RTLD_NEXT, #name)))
 /// A function that returns its error code.
 #define MAY_FAIL(name, parameters, arguments)                                   \
     cl_int name parameters                                                      \
     {                                                                           \
-        if (const cl_int code = verdict(#name); code != CL_SUCCESS) return code; \
-        return REAL(name) arguments;                                            \
+        const cl_int code = verdict(#name);                                     \
+        if (code != CL_SUCCESS && !opencl_faults().late) return code;           \
+        return after_all(code, REAL(name) arguments);                           \
+    }
+/// One that only asks.
+#define MAY_NOT_TELL(name, parameters, arguments)                                          \
+    cl_int name parameters                                                                 \
+    {                                                                                      \
+        if (const cl_int code = verdict_on_query(#name); code != CL_SUCCESS) return code;  \
+        return REAL(name) arguments;                                                       \
     }
 /// One that returns a handle and stores its error code in `out`.
 #define MAY_GIVE_NOTHING(type, name, parameters, arguments)                                                           \
@@ -113,15 +140,18 @@ extern "C" {
 cl_int clGetPlatformIDs(cl_uint entries, cl_platform_id* platforms, cl_uint* count)
 {
     if (opencl_faults().no_platforms) return -1001;  // CL_PLATFORM_NOT_FOUND_KHR
+    if (const cl_int code = verdict_on_query("clGetPlatformIDs"); code != CL_SUCCESS) return code;
     return REAL(clGetPlatformIDs)(entries, platforms, count);
 }
 cl_int clGetDeviceIDs(cl_platform_id platform, cl_device_type type, cl_uint entries, cl_device_id* devices, cl_uint* count)
 {
     if (opencl_faults().no_devices) return CL_DEVICE_NOT_FOUND;
+    if (const cl_int code = verdict_on_query("clGetDeviceIDs"); code != CL_SUCCESS) return code;
     return REAL(clGetDeviceIDs)(platform, type, entries, devices, count);
 }
 cl_int clGetKernelWorkGroupInfo(cl_kernel kernel, cl_device_id device, cl_kernel_work_group_info what, size_t size, void* value, size_t* needed)
 {
+    if (const cl_int fault = verdict_on_query("clGetKernelWorkGroupInfo"); fault != CL_SUCCESS) return fault;
     const cl_int code = REAL(clGetKernelWorkGroupInfo)(kernel, device, what, size, value, needed);
     if (code == CL_SUCCESS && what == CL_KERNEL_WORK_GROUP_SIZE && value && opencl_faults().largest_group) *static_cast<size_t*>(value) = opencl_faults().largest_group;
     return code;
@@ -129,9 +159,10 @@ cl_int clGetKernelWorkGroupInfo(cl_kernel kernel, cl_device_id device, cl_kernel
 cl_int clEnqueueNDRangeKernel(cl_command_queue queue, cl_kernel kernel, cl_uint dimensions, const size_t* offset, const size_t* global, const size_t* local, cl_uint waits,
                               const cl_event* wait_list, cl_event* event)
 {
-    if (const cl_int code = verdict("clEnqueueNDRangeKernel"); code != CL_SUCCESS) return code;
+    const cl_int code = verdict("clEnqueueNDRangeKernel");
+    if (code != CL_SUCCESS && !opencl_faults().late) return code;
     if (opencl_faults().largest_group && local && *local > opencl_faults().largest_group) return CL_INVALID_WORK_GROUP_SIZE;
-    return REAL(clEnqueueNDRangeKernel)(queue, kernel, dimensions, offset, global, local, waits, wait_list, event);
+    return after_all(code, REAL(clEnqueueNDRangeKernel)(queue, kernel, dimensions, offset, global, local, waits, wait_list, event));
 }
 cl_mem clCreateBuffer(cl_context context, cl_mem_flags flags, size_t bytes, void* host, cl_int* out)
 {
@@ -159,6 +190,15 @@ cl_command_queue clCreateCommandQueueWithProperties(cl_context context, cl_devic
     if (code != CL_SUCCESS) return tyndall::test::refused<cl_command_queue>(code, out);
     return REAL(clCreateCommandQueueWithProperties)(context, device, properties, out);
 }
+cl_int clEnqueueReadBuffer(cl_command_queue queue, cl_mem buffer, cl_bool blocking, size_t offset, size_t bytes, void* to, cl_uint waits, const cl_event* wait_list, cl_event* event)
+{
+    const cl_int code = verdict("clEnqueueReadBuffer");
+    if (code != CL_SUCCESS && !opencl_faults().late) return code;
+    const cl_int real = REAL(clEnqueueReadBuffer)(queue, buffer, blocking, offset, bytes, to, waits, wait_list, event);
+    if (opencl_faults().reads++ == opencl_faults().poison && real == CL_SUCCESS)
+        for (size_t word = 0; word + sizeof(cl_uint) <= bytes; word += sizeof(cl_uint)) std::memcpy(static_cast<char*>(to) + word, "\0\0\xc0\x7f", sizeof(cl_uint));
+    return after_all(code, real);
+}
 
 MAY_GIVE_NOTHING(cl_context, clCreateContext,
                  (const cl_context_properties* properties, cl_uint count, const cl_device_id* devices, void(CL_CALLBACK* notify)(const char*, const void*, size_t, void*), void* user, cl_int* out),
@@ -172,9 +212,6 @@ MAY_FAIL(clBuildProgram,
          (cl_program program, cl_uint count, const cl_device_id* devices, const char* options, void(CL_CALLBACK* notify)(cl_program, void*), void* user),
          (program, count, devices, options, notify, user))
 MAY_FAIL(clSetKernelArg, (cl_kernel kernel, cl_uint index, size_t bytes, const void* value), (kernel, index, bytes, value))
-MAY_FAIL(clEnqueueReadBuffer,
-         (cl_command_queue queue, cl_mem buffer, cl_bool blocking, size_t offset, size_t bytes, void* to, cl_uint waits, const cl_event* wait_list, cl_event* event),
-         (queue, buffer, blocking, offset, bytes, to, waits, wait_list, event))
 MAY_FAIL(clEnqueueWriteBuffer,
          (cl_command_queue queue, cl_mem buffer, cl_bool blocking, size_t offset, size_t bytes, const void* from, cl_uint waits, const cl_event* wait_list, cl_event* event),
          (queue, buffer, blocking, offset, bytes, from, waits, wait_list, event))
@@ -187,5 +224,14 @@ MAY_FAIL(clWaitForEvents, (cl_uint count, const cl_event* events), (count, event
 MAY_FAIL(clGetEventProfilingInfo, (cl_event event, cl_profiling_info what, size_t size, void* value, size_t* needed), (event, what, size, value, needed))
 MAY_FAIL(clFlush, (cl_command_queue queue), (queue))
 MAY_FAIL(clFinish, (cl_command_queue queue), (queue))
+
+MAY_NOT_TELL(clGetPlatformInfo, (cl_platform_id platform, cl_platform_info what, size_t size, void* value, size_t* needed), (platform, what, size, value, needed))
+MAY_NOT_TELL(clGetDeviceInfo, (cl_device_id device, cl_device_info what, size_t size, void* value, size_t* needed), (device, what, size, value, needed))
+MAY_NOT_TELL(clGetContextInfo, (cl_context context, cl_context_info what, size_t size, void* value, size_t* needed), (context, what, size, value, needed))
+MAY_NOT_TELL(clGetCommandQueueInfo, (cl_command_queue queue, cl_command_queue_info what, size_t size, void* value, size_t* needed), (queue, what, size, value, needed))
+MAY_NOT_TELL(clGetProgramInfo, (cl_program program, cl_program_info what, size_t size, void* value, size_t* needed), (program, what, size, value, needed))
+MAY_NOT_TELL(clGetProgramBuildInfo, (cl_program program, cl_device_id device, cl_program_build_info what, size_t size, void* value, size_t* needed),
+             (program, device, what, size, value, needed))
+MAY_NOT_TELL(clGetEventInfo, (cl_event event, cl_event_info what, size_t size, void* value, size_t* needed), (event, what, size, value, needed))
 
 }  // extern "C"

@@ -18,6 +18,12 @@ struct OpenClFaults {
     std::atomic<bool> no_profiling{false};    ///< queues without time stamps only
     std::atomic<bool> no_devices{false};      ///< platforms have none
     std::atomic<bool> no_platforms{false};
+    std::atomic<bool> queries{false};         ///< calls that only ask count and fail too
+    std::atomic<bool> late{false};            ///< a call that fails has done its work all the same
+    std::atomic<bool> hang{false};            ///< a call that would fail never returns
+    std::atomic<long> poison{-1};             ///< the number of the read, from 0, that gives NaN in place of what the device has; negative: none
+    std::atomic<long> reads{0};               ///< so far
+    std::atomic<bool> say{false};             ///< a failure is told on standard error
     std::atomic<std::size_t> largest_asked{0};   ///< bytes, of all buffers that were asked for
     std::string failed;                       ///< the function whose call failed last
 

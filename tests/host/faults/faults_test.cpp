@@ -55,7 +55,7 @@ TEST_P(Faults, AnyCallMayFailOnce)
     const long calls = opencl_faults().calls;
     ASSERT_GT(calls, 50);
     int mended = 0, failed = 0;
-    for (long n = 0; n < calls; n += std::max(calls / 40, 1l)) {
+    for (long n = 0; n < calls; n += std::max(calls / 16, 1l)) {
         opencl_faults().reset();
         opencl_faults().fail_at = n;
         const Ended e = ended([&] { return image(); }, expected);

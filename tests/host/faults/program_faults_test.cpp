@@ -65,6 +65,21 @@ TEST_F(FaultyProgram, OdditiesGiveTheSameImage)
     EXPECT_EQ(image(), expected) << "a device with a GiB";
 }
 
+TEST_F(FaultyProgram, NumbersThatAreNoneAreLeftOutCountedAndWithStrictNanExitCode1)
+{
+    ASSERT_EQ(render("", {"--strict-nan"}).exit_code, 0);
+    const std::string sums = "poison=3";  // of the first piece; the reads before it are the ledgers
+    for (const bool strict : {false, true}) {
+        const ProcessResult r = render(sums, strict ? std::vector<std::string>{"--strict-nan"} : std::vector<std::string>{});
+        EXPECT_EQ(r.exit_code, strict ? 1 : 0) << r.err;
+        EXPECT_EQ(r.err.find("--strict-nan takes for a failure") != std::string::npos, strict);
+        EXPECT_GT(report().at("numerics").at("not_finite_pixels"), 0);
+        EXPECT_FALSE(report().at("numerics").at("first_cases").empty());
+        EXPECT_TRUE(std::filesystem::exists(folder / "image.exr"));
+    }
+    for (const char* ledger : {"poison=0", "poison=1", "poison=2"}) EXPECT_EQ(render(ledger).exit_code, 0) << ledger;
+}
+
 TEST_F(FaultyProgram, TwoDevicesGiveTheImageOfOne)
 {
     ASSERT_EQ(render("", {"--device", "0"}).exit_code, 0);
