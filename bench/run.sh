@@ -3,7 +3,7 @@
 #   bash bench/run.sh [OUT]          OUT: bench/results unless given
 #   BUILD=folder bash bench/run.sh   takes the programs of that build folder instead of building
 #   REPETITIONS=3 bash bench/run.sh  quicker; 7 unless given
-#   ONLY="pairs render" ...          renews only these results: pairs transmittance shadow_1_core shadow_2_cores build render variance effects selection scaling cold_start prediction roofline
+#   ONLY="pairs render" ...          renews only these results: pairs transmittance shadow_1_core shadow_2_cores build render variance effects selection scaling cold_start prediction roofline bias
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
 out=${1:-$repository_root/bench/results}
@@ -53,6 +53,10 @@ if wanted variance; then
   [[ -e $times ]] || times=$out/variance/variance.json  # the times of an earlier run
   [[ -e $times ]] || { say "variance needs the times of pairs: ONLY=\"pairs variance\""; exit 1; }
   python3 -B "$repository_root/bench/variance.py" "$raw/variance.json" "$times" "$out/shadow_1_core.json" "$out/variance"
+fi
+if wanted bias; then
+  say "measuring bias"
+  python3 -B "$repository_root/bench/bias_slopes.py" "$build/bench/bias_slopes" "$out/bias"
 fi
 mkdir -p "$out/effects"
 if wanted effects; then
