@@ -38,7 +38,7 @@ VaryingValue parse_varying(const std::string& text)
 /// Options that change no byte of an image.
 bool changes_images(const std::string& name)
 {
-    constexpr std::array without{"help", "scene", "output", "frames", "threads", "tile", "launch-ms", "checkpoint", "resume", "progress", "report", "no-selftest", "allow-outside", "config", "print-config", "display-server", "strict-nan"};
+    constexpr std::array without{"help", "scene", "output", "frames", "threads", "tile", "launch-ms", "checkpoint", "resume", "progress", "report", "no-selftest", "allow-outside", "config", "print-config", "display-server", "strict-nan", "dump-kernels"};
     return std::ranges::find(without, name) == without.end();
 }
 

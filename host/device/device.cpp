@@ -1,6 +1,10 @@
 #include "device/device.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <system_error>
 
 #include "device/device_state.hpp"
 
@@ -59,6 +63,7 @@ Device::Device(Device&&) noexcept = default;
 const DeviceInfo& Device::info() const { return state_->info; }
 
 void Device::bound_launches(double seconds) { state_->launch_seconds = seconds; }
+void Device::dump_kernels(const std::string& folder) { state_->dump_folder = folder; }
 bool Device::time_stamps() const { return state_->time_stamps; }
 
 std::uint64_t Device::programs_built() const
@@ -69,9 +74,21 @@ std::uint64_t Device::programs_built() const
 
 namespace {
 
+/// The source as it goes to the compiler, below a comment that names device and options. `#line` keeps the numbers of lines right.
+void dump(const DeviceState& state, const std::string& text, const std::string& options)
+{
+    const std::filesystem::path folder = state.dump_folder, file = folder / (std::to_string(std::hash<std::string>{}(options + "\n" + text)) + ".cl");
+    std::error_code fault;
+    std::filesystem::create_directories(folder, fault);
+    std::ofstream stream(file, std::ios::binary);
+    stream << "// " << state.info.platform << ": " << state.info.name << "\n// " << options << "\n" << text;
+    if (fault || !stream.flush()) throw IoError(file.string() + ": the source of a program could not be written; choose another --dump-kernels");
+}
+
 cl::Program compiled(DeviceState& state, const std::string& text, const std::string& wanted)
 {
     const std::string options = wanted + state.info.build_options;
+    if (!state.dump_folder.empty()) dump(state, text, options);
     cl::Program program = on_device(state, "creating a program", [&] { return cl::Program(state.context, text); });
     const cl_device_id device = state.device();
     const cl_int code = clBuildProgram(program(), 1, &device, options.c_str(), nullptr, nullptr);  // the binding asks for the log, and throws what that returns

@@ -25,6 +25,8 @@ public:
     std::uint64_t programs_built() const;
     /// Stages that are made from now on keep their launches below so many seconds, as far as what earlier launches took can tell (launch_budget.hpp).
     void bound_launches(double seconds);
+    /// Writes the source of every program into the folder before it is built from now on, named by a hash of its text and options; empty: no longer.
+    void dump_kernels(const std::string& folder);
     /// False: the driver has no clock of its own, and times are those of the wall.
     bool time_stamps() const;
     DeviceState& state() { return *state_; }

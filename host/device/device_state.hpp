@@ -20,6 +20,7 @@ struct DeviceState {
     cl::CommandQueue queue;  ///< in order, with time stamps where the device has them
     bool time_stamps = true;
     double launch_seconds = .1;  ///< launches aim at less
+    std::string dump_folder;     ///< for sources of programs; empty: none
     std::mutex guard;                             ///< of `programs`
     std::map<std::string, std::shared_future<cl::Program>> programs;  ///< built or being built in this process, by options and text
 };
@@ -44,7 +45,8 @@ auto on_device(const DeviceState& state, const char* doing, Call&& call)
     }
 }
 
-/// Compiles a flattened kernel, once for each text and options. May be called from several threads. Throws BuildError with device, options and the compiler's log.
+/// Compiles a flattened kernel, once for each text and options. May be called from several threads. Throws BuildError with device, options and the compiler's log, and
+/// IoError if the source was to be written (Device::dump_kernels) and could not be.
 cl::Program build_program(DeviceState& state, const std::string& text, const std::string& options);
 
 /// `wanted` work-items per group, or 1 where the device does not run so many of this kernel.

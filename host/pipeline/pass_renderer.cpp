@@ -67,7 +67,7 @@ void PassRenderer::prepare_lights()
     else
         for (const DeviceInfo& info : choose_devices(settings_.device)) devices_.emplace_back(std::to_string(info.index));
     for (Device& device : devices_) {
-        device.bound_launches(settings_.launch_seconds);
+        device.bound_launches(settings_.launch_seconds), device.dump_kernels(settings_.dump_kernels);
         if (settings_.precision == Precision::f64 && !device.info().fp64)
             throw NoDeviceError("\"" + device.info().name + "\" has no 64-bit numbers (cl_khr_fp64), which --precision f64 needs; name another device, or leave it at f32");
     }

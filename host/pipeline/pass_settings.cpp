@@ -31,7 +31,7 @@ std::vector<StateSetting> PassRenderer::settings() const
 {
     // Every setting has a name here, so that one which is added does not compile before it is decided whether bytes depend on it. Those that are left to a rule stand in the plan.
     [[maybe_unused]] const auto& [method, layers, path_layers, passes, seconds, target_error, lights, seed, threads, max_depth, light_segments, segment_length, sampler, sequence, emission, transmittance, precision, math, features,
-                 device, opencl, lanes, lanes_calibrated, tile_pairs, launch_seconds, samples, selection, selected_lights, selection_block, candidates, defence, camera_samples, skip_thin, clamp, beam_radius, block_passes, selftest, stop] = settings_;
+                 device, opencl, lanes, lanes_calibrated, tile_pairs, launch_seconds, samples, selection, selected_lights, selection_block, candidates, defence, camera_samples, skip_thin, clamp, beam_radius, block_passes, dump_kernels, selftest, stop] = settings_;
     const Camera& camera = scene_.camera;
     std::vector<StateSetting> all{
         {"film", fmt::format("{} x {}, window {} x {} at ({}, {})", camera.width, camera.height, camera.crop_width, camera.crop_height, camera.crop_x, camera.crop_y)},

@@ -77,14 +77,14 @@ inline constexpr std::uint32_t all_lights = 0xffffffffu;
 struct RenderSettings {
     Method method = Method::vrl;
     LayerSet layers = LayerSet::all();
-    LayerSet path_layers;              ///< path-traced whatever the method
+    LayerSet path_layers{};            ///< path-traced whatever the method
     int passes = 0;                    ///< stop after so many; 0: no limit (the command line's default is 16 unless a time is given)
     double seconds = 0;                ///< stop when the next pass would end later; 0: no limit
     double target_error = 0;           ///< stop when the error is at most this with 95 % confidence (film/error_estimate.hpp), after 8 passes at least; 0: never
     std::uint32_t lights = 0;          ///< virtual lights per pass, aimed at; 0: chosen by fixed rule from the image size and `seconds`
     std::uint64_t seed = 1;
     int threads = 0;                   ///< host threads; 0: all cores
-    std::optional<int> max_depth;      ///< instead of the scene's; -1 no limit; D keeps paths with at most D - 1 scattering vertices
+    std::optional<int> max_depth{};    ///< instead of the scene's; -1 no limit; D keeps paths with at most D - 1 scattering vertices
     LightSegments light_segments = LightSegments::all;
     SegmentLength segment_length = SegmentLength::long_;
     Sampler sampler = Sampler::automatic;
@@ -93,9 +93,9 @@ struct RenderSettings {
     GridTransmittance transmittance = GridTransmittance::march;
     Precision precision = Precision::f32;
     KernelMath math = KernelMath::strict;
-    std::optional<std::uint32_t> features;  ///< mask of kernels/shared/scene_features.h for all kernels; none: what the scene calls for
-    std::string device;                ///< index, substring of the name, or platform:device; several with commas, or "all"; empty: the default device
-    std::optional<OpenClHandles> opencl;  ///< the caller's context and device, in place of those that `device` names
+    std::optional<std::uint32_t> features{};  ///< mask of kernels/shared/scene_features.h for all kernels; none: what the scene calls for
+    std::string device{};              ///< index, substring of the name, or platform:device; several with commas, or "all"; empty: the default device
+    std::optional<OpenClHandles> opencl{};  ///< the caller's context and device, in place of those that `device` names
     int lanes = 0;                     ///< 1, 4, 8, 16; 0: chosen by fixed rule from the device
     bool lanes_calibrated = false;     ///< `lanes` were measured for the device before, not asked for; for the report alone
     std::uint32_t tile_pairs = 0;      ///< pairs per tile; 0: default. Never changes a byte
@@ -108,9 +108,10 @@ struct RenderSettings {
     double selection_defence = -1;     ///< share of the choice that goes by power alone, in [0, 1]; negative: by rule
     int camera_samples = 0;            ///< per pixel and pass, for virtual lights; 0: by rule
     double skip_thin = 0;              ///< leave media_to_media out if at most this share of what media scatter is scattered there again (biased); 0: never
-    std::optional<double> clamp;       ///< of the clamped methods: no connection's 1 / w^2 is more than this over the square of the scene's half diagonal (biased); none: by rule
-    std::optional<double> beam_radius; ///< of methods with thick lights, in the first pass: a share of the scene's half diagonal (biased); none: by rule
+    std::optional<double> clamp{};     ///< of the clamped methods: no connection's 1 / w^2 is more than this over the square of the scene's half diagonal (biased); none: by rule
+    std::optional<double> beam_radius{};  ///< of methods with thick lights, in the first pass: a share of the scene's half diagonal (biased); none: by rule
     int block_passes = 8;              ///< passes that are summed by themselves before they join the total (film/film.hpp); part of the result
+    std::string dump_kernels{};        ///< folder for the source of every program that is built, as its compiler sees it; empty: none. Never changes a byte
     bool selftest = true;              ///< golden cases before a device renders for the first time; false: at the user's own risk
     const StopFlag* stop = nullptr;    ///< raising it abandons the pass in progress and ends the render; must outlive it
 };

@@ -69,6 +69,25 @@ TEST_F(Hostile, ALocaleWithACommaChangesNoByte)
     EXPECT_EQ(file_bytes(folder / "scene.png"), picture);
 }
 
+TEST_F(Hostile, DumpedKernelsAreWhatTheCompilerSawAndChangeNoByte)
+{
+    ASSERT_EQ(render({"--lanes", "4"}).exit_code, 0);
+    const std::string expected = file_bytes(folder / "scene.exr");
+    const ProcessResult r = render({"--lanes", "4", "--dump-kernels", "kernels/of a run"});
+    ASSERT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_EQ(file_bytes(folder / "scene.exr"), expected);
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "kernels/of a run")) {
+        const std::string text = file_bytes(entry.path());
+        EXPECT_THAT(text, testing::AllOf(testing::StartsWith("// "), HasSubstr("-DLANES=4"), HasSubstr("#line 1 \"kernels/dialect.h\""), HasSubstr("__kernel"))) << entry.path();
+        ++count;
+    }
+    EXPECT_GE(count, 1);
+    const ProcessResult refused = render({"--dump-kernels", "scene.xml/below"});
+    EXPECT_EQ(refused.exit_code, 6) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr("scene.xml/below"));
+}
+
 TEST_F(Hostile, ACacheThatCannotBeWrittenDoesNotEndTheRender)
 {
     ASSERT_EQ(render({}).exit_code, 0);
