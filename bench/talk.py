@@ -67,7 +67,7 @@ class Talk:
             for method in e["methods"]:
                 name = f"{key}_{method}_{seconds:g}s"
                 own = self.render(name, e["scene"], e["layer"], method, seconds, 1, *exposure)
-                rows.append({"method": method, "seconds": seconds, "passes": own["passes"], "lights": own["counts"]["virtual_lights"], "talk_lights": e["talk"].get(method), "image": self.picture(name), **self.error(name, reference, floor)})
+                rows.append({"method": method, "seconds": seconds, "took": own["timings"]["seconds"], "passes": own["passes"], "lights": own["counts"]["virtual_lights"], "talk_lights": e["talk"].get(method), "image": self.picture(name), **self.error(name, reference, floor)})
         return {"key": key, "title": e["title"], "reference_error": floor ** .5, "reference_seconds": reference_seconds, "rows": rows, "reference_image": self.picture(reference)}
 
     def picture(self, name):
@@ -75,15 +75,15 @@ class Talk:
             return "data:image/png;base64," + base64.b64encode(file.read()).decode()
 
     def animation(self):
-        """Flicker of VRLs at t a frame against VPLs at t and 3 t."""
+        """Flicker of VRLs at t a frame against beams at t and VPLs at t and 3 t."""
         t, rows = FRAME_SECONDS / self.shrink, []
-        for method, seconds in (("vrl", t), ("vpl", t), ("vpl", 3 * t)):
+        for method, seconds in (("vrl", t), ("beams", t), ("vpl", t), ("vpl", 3 * t)):
             folder = self.path(f"animation_{method}_{seconds:g}s")
             self.run(self.program, "animate", os.path.join(ROOT, "scenes", "turning_light"), "--frames", f"0:{FRAMES}", "--seed-per-frame", "varying", "-o", folder, "--method", method, "--layer", "media_to_media",
                      "--time", f"{seconds:g}", *(["--resolution", self.size] if self.size else []))
             flicker = subprocess.run([sys.executable, "-B", os.path.join(ROOT, "bench", "flicker.py"), folder, "--layer", "media_to_media", "--json"], check=True, capture_output=True, text=True).stdout
             rows.append({"method": method, "seconds": seconds, "frames": FRAMES, "flicker": json.loads(flicker)["frames"]["flicker"]})
-            self.run(sys.executable, "-B", os.path.join(ROOT, "bench", "contact_sheet.py"), folder, "-o", self.path(f"animation_{method}_{seconds:g}s.png"))
+            self.run(sys.executable, "-B", os.path.join(ROOT, "bench", "contact_sheet.py"), folder, "--exposure", "4", "--shrink", "2", "-o", self.path(f"animation_{method}_{seconds:g}s.png"))
         return rows
 
 

@@ -44,9 +44,9 @@ def draw(result, path):
 def markdown(result):
     text = ["# The talk's experiments", "", "Equal time on this machine" + (", a tenth of the talk's times" if result["quick"] else "") + ".", ""]
     for e in result["experiments"]:
-        text += [f"## {e['title']}", "", f"Reference: virtual ray lights, {e['reference_seconds']:g} s, own error {100 * e['reference_error']:.2g} %.", "", "| seconds | method | error | trimmed | means over 8 × 8 | passes | lights | the talk's |", "|---|---|---|---|---|---|---|---|"]
+        text += [f"## {e['title']}", "", f"Reference: virtual ray lights, {e['reference_seconds']:g} s, own error {100 * e['reference_error']:.2g} %.", "", "| seconds | took | method | error | trimmed | means over 8 × 8 | passes | lights | the talk's |", "|---|---|---|---|---|---|---|---|---|"]
         for row in e["rows"]:
-            text.append(f"| {row['seconds']:g} | {NAMES[row['method']]} | {error_text(row)} | {100 * row['trimmed']:.3g} % | {100 * row['blocks']:.3g} % | {row['passes']} | {row['lights']:,} | {row['talk_lights'] or ''} |")
+            text.append(f"| {row['seconds']:g} | {row['took']:.3g} | {NAMES[row['method']]} | {error_text(row)} | {100 * row['trimmed']:.3g} % | {100 * row['blocks']:.3g} % | {row['passes']} | {row['lights']:,} | {row['talk_lights'] or ''} |")
         text.append("")
     if result.get("animation"):
         text += ["## Turning light", "", "| method | seconds a frame | flicker |", "|---|---|---|"]

@@ -98,13 +98,16 @@ void EyeConnector::connect_all(std::span<const Eye> eyes, const VirtualLights& l
     crew_.share(job, counts);
 }
 
+static EyePlace place_of(const EyeSegment& eye, std::uint32_t sample) { return {eye.pixel, eye.medium, eye.depth, sample, eye.length}; }
+static EyePlace place_of(const EyePoint& eye, std::uint32_t sample) { return {eye.pixel, eye.medium, eye.depth, sample}; }
+
 template <typename Eye>
 void EyeConnector::connect_chosen(std::span<const Eye> eyes, std::span<const std::size_t> ends, const VirtualLights& lights, const Visibility& visibility, std::uint64_t key, ConnectCounts& counts,
                                   std::vector<Rgb>& image)
 {
     std::vector<EyePlace> places;
     for (std::uint32_t sample = 0; sample < ends.size(); ++sample)
-        while (places.size() < ends[sample]) places.push_back({eyes[places.size()].pixel, eyes[places.size()].medium, eyes[places.size()].depth, sample});
+        while (places.size() < ends[sample]) places.push_back(place_of(eyes[places.size()], sample));
     const auto random = [&](std::uint64_t salt) { return static_cast<std::uint32_t>(mix_bits(key + salt) >> 32); };
     const BlockGrid grid{.width = film_width_,
                          .size = selection_.block,

@@ -12,6 +12,7 @@ struct Placed {
     std::uint32_t region, medium, depth, square, piece, sample;  ///< the block's identity
     std::uint32_t lattice, index;                ///< order within it
     int from_middle;                             ///< squared distance of the pixel, in half pixels
+    float length;                                ///< of its segment
 };
 
 auto region(const Placed& p) { return std::tie(p.region, p.medium, p.depth); }
@@ -43,7 +44,8 @@ std::vector<Placed> placed_eyes(std::span<const EyePlace> eyes, const BlockGrid&
                      .sample = eyes[i].sample,
                      .lattice = static_cast<std::uint32_t>(y % step * step + x % step),
                      .index = static_cast<std::uint32_t>(i),
-                     .from_middle = dx * dx + dy * dy};
+                     .from_middle = dx * dx + dy * dy,
+                     .length = eyes[i].length};
     }
     std::sort(placed.begin(), placed.end(), [](const Placed& a, const Placed& b) {
         return std::tuple_cat(identity(a), std::tie(a.lattice, a.index)) < std::tuple_cat(identity(b), std::tie(b.lattice, b.index));
@@ -67,6 +69,17 @@ void add_block(std::span<const Placed> placed, std::size_t first, std::size_t la
     all.blocks.push_back({start, groups, mixed(grid.key, standing), standing, placed[first].sample, static_cast<std::uint32_t>(grid.samples), 0, 0});
 }
 
+/// The eye nearest to the middle of those whose segments are long: at silhouettes a short one knows nothing of lights that the others pass.
+std::uint32_t standing_eye(std::span<const Placed> square)
+{
+    constexpr float representative = .75f;
+    const float longest = std::ranges::max(square, {}, &Placed::length).length;
+    const Placed* found = nullptr;
+    for (const Placed& p : square)
+        if (p.length >= representative * longest && (!found || p.from_middle < found->from_middle)) found = &p;
+    return found->index;
+}
+
 }  // namespace
 
 EyeBlocks block_eyes(std::span<const EyePlace> eyes, const BlockGrid& grid)
@@ -75,10 +88,8 @@ EyeBlocks block_eyes(std::span<const EyePlace> eyes, const BlockGrid& grid)
     EyeBlocks all;
     for (std::size_t first = 0, last = 0; first < placed.size(); first = last) {
         if (first == 0 || region(placed[first]) != region(placed[first - 1])) all.regions.push_back(static_cast<std::uint32_t>(all.blocks.size()));
-        std::size_t middle = first;
-        for (last = first; last < placed.size() && without_sample(placed[last]) == without_sample(placed[first]); ++last)
-            if (placed[last].from_middle < placed[middle].from_middle) middle = last;
-        all.standing.push_back(placed[middle].index);
+        for (last = first; last < placed.size() && without_sample(placed[last]) == without_sample(placed[first]);) ++last;
+        all.standing.push_back(standing_eye(std::span(placed).subspan(first, last - first)));
         for (std::size_t from = first, to = first; from < last; from = to) {
             while (to < last && placed[to].sample == placed[from].sample) ++to;
             add_block(placed, from, to, grid, all);

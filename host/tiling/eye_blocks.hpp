@@ -11,6 +11,7 @@ namespace tyndall {
 /// What decides where an eye belongs. Eyes of one camera sample follow each other.
 struct EyePlace {
     std::uint32_t pixel = 0, medium = 0, depth = 0, sample = 0;
+    float length = 0;  ///< of an eye segment
 };
 
 /// Squares of `size` x `size` pixels of a film `width` pixels wide; the first corner lies offset pixels left of and above the film's.
@@ -28,7 +29,7 @@ struct EyeBlocks {
     std::vector<std::uint32_t> order;     ///< number of the eye in each place; no_eye: padding
     std::vector<EyeBlock> blocks;
     std::vector<std::uint32_t> regions;   ///< number of each region's first block; its eyes are in one medium and at one depth
-    std::vector<std::uint32_t> standing;  ///< numbers of eyes near the middle of their squares, whose estimates blocks use (EyeBlock::standing)
+    std::vector<std::uint32_t> standing;  ///< numbers of eyes whose estimates blocks use (EyeBlock::standing): near the middle of their squares, among segments of three quarters of the longest one's length at least
 };
 
 /// Eyes of one block are of the same camera sample, in the same region and square, medium and depth, and are the same piece of their camera paths; the blocks of all camera

@@ -93,6 +93,20 @@ TEST(EyeBlocks, StandForTheirMiddle)
     }
 }
 
+TEST(EyeBlocks, StandForLongSegmentsAtASilhouette)
+{
+    auto eyes = film(8, 8);
+    for (EyePlace& eye : eyes) {
+        const std::uint32_t x = eye.pixel % 8;
+        eye.medium = 0, eye.length = x < 6 ? .1f : x == 6 ? .8f : 1;  // the middle hardly touches what the right edge looks through
+    }
+    const EyeBlocks all = block_eyes(eyes, {.width = 8, .size = 8});
+    ASSERT_EQ(all.standing.size(), 1u);
+    EXPECT_EQ(eyes[all.standing[0]].pixel % 8, 6u) << "of the long ones the nearest to the middle";
+    const std::uint32_t row = eyes[all.standing[0]].pixel / 8;
+    EXPECT_TRUE(row == 3 || row == 4) << row;
+}
+
 TEST(EyeBlocks, KeepPiecesOfOnePathApart)
 {
     std::vector<EyePlace> eyes;
