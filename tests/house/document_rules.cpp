@@ -103,6 +103,21 @@ Violations dead_links(const fs::path& root)
     return found;
 }
 
+Violations pages_that_nobody_finds(const fs::path& root)
+{
+    std::string index;
+    for (const SourceFile& file : read_files(root, "host/docs", {"README.md"}))
+        if (file.path == "host/docs/README.md")
+            for (const std::string& line : file.lines) index += line;
+    Violations found;
+    for (const SourceFile& file : read_files(root, "host/docs", {".md"})) {
+        const fs::path path = file.path;
+        if (path.parent_path() == "host/docs" && path.filename() != "README.md" && index.find("](" + path.filename().string() + ")") == std::string::npos)
+            found.push_back(file.path + ": is not linked from host/docs/README.md");
+    }
+    return found;
+}
+
 Violations tests_that_are_not_there(const fs::path& root)
 {
     static const std::regex definition(R"(\bTEST(_F|_P)?\((\w+), (\w+)\))"), mention(R"(`([A-Z]\w+\.[A-Z]\w+)`)");

@@ -18,5 +18,6 @@ TEST(House, KernelsAskIfNotIfdef) { EXPECT_THAT(conditional_compilation_in_kerne
 TEST(House, ArithmeticIsNeverApproximatedByOption) { EXPECT_THAT(approximate_arithmetic(root), IsEmpty()); }
 TEST(House, TopOfTheRepositoryIsAsPlanned) { EXPECT_THAT(strangers_at_the_top(root), IsEmpty()); }
 TEST(House, LinksLeadSomewhere) { EXPECT_THAT(dead_links(root), IsEmpty()); }
+TEST(House, PagesAreFound) { EXPECT_THAT(pages_that_nobody_finds(root), IsEmpty()); }
 TEST(House, TestsThatDocumentsNameAreThere) { EXPECT_THAT(tests_that_are_not_there(root), IsEmpty()); }
 TEST(House, ScenesAreReproducedByTheirScripts) { EXPECT_THAT(scenes_not_reproduced(root), IsEmpty()); }

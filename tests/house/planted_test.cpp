@@ -148,6 +148,16 @@ TEST(PlantedViolation, DeadLinkIsFound)
                 UnorderedElementsAre("README.md:2: there is no host/gone.cpp", "host/README.md:2: the link to film/ leads nowhere"));
 }
 
+TEST(PlantedViolation, APageThatNobodyFindsIsFound)
+{
+    const TemporaryFolder tree;
+    tree.write("host/docs/README.md", "[one](one.md)\n");
+    tree.write("host/docs/one.md", "");
+    tree.write("host/docs/two.md", "");
+    tree.write("host/docs/decisions/0001-x.md", "");
+    EXPECT_THAT(pages_that_nobody_finds(tree.path()), ElementsAre("host/docs/two.md: is not linked from host/docs/README.md"));
+}
+
 TEST(PlantedViolation, ATestThatADocumentMadeUpIsFound)
 {
     const TemporaryFolder tree;

@@ -37,6 +37,9 @@ Violations strangers_at_the_top(const fs::path& root);
 /// Relative links in Markdown files, and paths between backticks in README files that start with a folder of the house, lead to something.
 Violations dead_links(const fs::path& root);
 
+/// Every page of host/docs is linked from host/docs/README.md.
+Violations pages_that_nobody_finds(const fs::path& root);
+
 /// Every `Suite.Test` that host/docs/faults.md names is a test.
 Violations tests_that_are_not_there(const fs::path& root);
 
