@@ -3,9 +3,7 @@
 #   bash tests/run.sh [ctest options]          for example  bash tests/run.sh -R Equiangular
 # The slow tests are left out; `ctest --preset release -L slow` runs them afterwards. Exit code: ctest's.
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
-
-install_packages "${build_packages[@]}" "${optional_packages[@]}" "${test_packages[@]}"
-build_release all -DTYNDALL_TESTS=ON -DTYNDALL_OPENVDB=ON
-cd "$repository_root"
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd -P)
+bash "$root/tests/build.sh"
+cd "$root"
 exec ctest --preset release --label-exclude slow --parallel "$(nproc)" "$@"

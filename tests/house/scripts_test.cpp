@@ -108,3 +108,18 @@ TEST(Scripts, ContinuousIntegrationRunsTheTestsCommand)
     EXPECT_NE(fs::status(ci).permissions() & fs::perms::owner_exec, fs::perms::none);
     EXPECT_THAT(read(ci), HasSubstr("tests/run.sh"));
 }
+
+TEST(Scripts, AFailedStageFailsTheRunAndKeepsNoOtherFromRunning)
+{
+    const TemporaryFolder folder;
+    for (const char* script : {"build", "fuzz/run", "oclgrind", "rusticl", "run"})
+        folder.write("tests/" + std::string(script) + ".sh", "echo \"$(basename $0) $*\"; [[ $0 != *rusticl* ]]\n");
+    folder.write(".ci/run", read(root / ".ci/run"));
+    const std::string ci = "bash " + quoted(folder.path() / ".ci/run");
+    const Outcome all = run(folder, ci + " build rusticl oclgrind tests");
+    EXPECT_EQ(all.exit_code, 1) << all.output;
+    EXPECT_THAT(all.output, HasSubstr("oclgrind.sh")) << "after the stage that failed";
+    EXPECT_TRUE(all.output.ends_with("\nrun.sh \n")) << "the tests' lines come last: " << all.output;
+    EXPECT_EQ(run(folder, ci + " fuzz build").exit_code, 0);
+    EXPECT_EQ(run(folder, ci + " no_such_stage").exit_code, 2);
+}

@@ -11,9 +11,9 @@
 namespace tyndall::test {
 namespace {
 
-enum Choice : std::size_t { light, eye, lanes, sampler, sequence, selection, clamp, transmittance, first_feature };
+enum Choice : std::size_t { light, eye, lanes, sampler, sequence, selection, clamp, transmittance, precision, math, first_feature };
 constexpr std::array lane_widths{1, 4, 8, 16};
-constexpr std::array<const char*, first_feature> names{"", "eye", "lanes", "sampler", "sequence", "selection", "clamp", "transmittance"};
+constexpr std::array<const char*, first_feature> names{"", "eye", "lanes", "sampler", "sequence", "selection", "clamp", "transmittance", "precision", "math"};
 
 std::size_t choice_of(std::uint32_t feature)
 {
@@ -83,7 +83,7 @@ Choices row_with(const Pair& wanted, const std::set<Pair>& missing, const Choice
 
 Choices choice_counts()
 {
-    Choices counts{static_cast<int>(light_techniques().size()), 2, static_cast<int>(lane_widths.size()), 6, 2, 2, 2, 2};
+    Choices counts{static_cast<int>(light_techniques().size()), 2, static_cast<int>(lane_widths.size()), 6, 2, 2, 2, 2, 2, 2};
     counts.resize(first_feature + scene_feature_list.size(), 2);
     return counts;
 }
@@ -110,6 +110,7 @@ PairProgram program_of(const Choices& choices)
     program.lanes = lane_widths[static_cast<std::size_t>(choices[lanes])];
     program.sampler = choices[sampler], program.sequence = choices[sequence], program.selection = choices[selection] != 0;
     program.clamp = choices[clamp] ? 100.f : 0.f, program.transmittance = choices[transmittance];
+    program.precision = choices[precision] ? 64 : 32, program.fast_math = choices[math] != 0;
     for (const SceneFeature& feature : scene_feature_list)
         if (choices[choice_of(feature.bit)]) program.features |= feature.bit;
     return program;
