@@ -6,6 +6,7 @@
 #include <set>
 
 #include "comparison/judge.hpp"
+#include "metrics/block_means.hpp"
 #include "synthetic_renderer.hpp"
 #include "tyndall/error.hpp"
 
@@ -73,6 +74,7 @@ TEST(EveryDial, FewerPairsMakeNarrowerIntervals)
     const Reference reference = [] {
         Reference r{.width = film_side, .height = film_side};
         for (std::size_t i = 0; i < film_side * film_side; ++i) r.pixels.push_back(truth(i));
+        for (const double mean : block_means(r.pixels, film_side)) r.blocks.push_back({mean});
         return r;
     }();
     const MeasuringHooks hooks{[] { return false; }, [](const std::string&) {}, [] { return 0.; }};
