@@ -5,18 +5,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "path_tracing/path_tracing.hpp"
 #include "pipeline/choose_sampler.hpp"
 #include "scene/thin_media.hpp"
 
 namespace tyndall {
 namespace {
 
+/// Is it a sub-layer of light that mirrors or glass lead from x2 to x1?
+bool goes_over_mirrors(Layer layer) { return static_cast<std::size_t>(layer) > static_cast<std::size_t>(Layer::media_to_surface); }
+
 /// What a layer needs that the scene does not have; empty if it can contribute.
 std::string missing_for(Layer layer, const Scene& scene, const SceneFeatures& features)
 {
     if (scene.emitters.empty()) return "the scene has no light";
-    const bool sub_layer = static_cast<std::size_t>(layer) > static_cast<std::size_t>(Layer::media_to_surface);
-    if (sub_layer) {
+    if (goes_over_mirrors(layer)) {
         if (!features.specular_surfaces) return "the scene has no mirror or glass";
         return missing_for(static_cast<Layer>(static_cast<std::size_t>(layer) - 6), scene, features);
     }
@@ -138,6 +141,17 @@ void plan_gathered(Layer layer, const LightTechnique& technique, const Scene& sc
     plan.reports.back().unbiased = false, plan.reports.back().bias = radius_text(technique.title, share, technique.blur_dimensions);
 }
 
+/// Who renders the layers: by and large the method.
+struct Recipes {
+    Recipe method, paths, over_mirrors;
+    bool lights_without_size = false;  ///< some, in a scene with mirrors or glass
+
+    /// Methods of connected lights leave light over mirrors and glass to paths, which do not find lights without size there: then beams and photons carry it, as in the talk.
+    bool lost_to_paths(Layer layer) const { return lights_without_size && method.connected && method.gathered.empty() && goes_over_mirrors(layer); }
+
+    const Recipe& of(Layer layer, bool asked_for_paths) const { return asked_for_paths ? paths : lost_to_paths(layer) ? over_mirrors : method; }
+};
+
 /// How places are drawn in a layer of virtual lights.
 void name_sampler(Layer layer, const LightTechnique& lights, const ChosenSampler& chosen, LayerReport& report)
 {
@@ -198,14 +212,16 @@ static void plan_layer(Layer layer, const Recipe& recipe, const Scene& scene, co
 LayerPlan plan_layers(const Scene& scene, const SceneFeatures& features, const RenderSettings& settings)
 {
     const ChosenSampler chosen = choose_sampler(scene, features, settings.sampler);
-    const Recipe recipe = recipe_of(settings.method), paths = recipe_of(Method::path);
+    const Recipes recipes{recipe_of(settings.method), recipe_of(Method::path), recipe_of(Method("talk")), !uncarried_light(scene).empty()};
+    const Recipe& recipe = recipes.method;
     LayerPlan plan{.technique = recipe.connected, .on_surfaces = recipe.on_surfaces, .selection = plan_selection(settings, scene.camera), .sampler = chosen.sampler};
     const std::string bias = plan_bias(scene, settings, recipe, plan);
     for (std::size_t l = 0; l < layer_count; ++l) {
         const Layer layer = static_cast<Layer>(l);
         const bool asked_for_paths = settings.path_layers.contains(layer);
-        const Recipe& used = asked_for_paths ? paths : recipe;
+        const Recipe& used = recipes.of(layer, asked_for_paths);
         Carrier carrier = carrier_of(layer, used);
+        if (!asked_for_paths && recipes.lost_to_paths(layer)) carrier.why += ", because paths do not find lights without size over mirrors and glass";
         if (asked_for_paths && settings.method != Method::path) carrier.why = fmt::format("--layer {}=path", name(layer));
         LayerReport report{.layer = std::string(name(layer)), .technique = carrier.name};
         report.why = settings.layers.contains(layer) ? missing_for(layer, scene, features) : "turned off";

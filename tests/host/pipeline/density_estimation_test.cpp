@@ -157,6 +157,32 @@ TEST(DensityEstimation, SaysWhoCarriesWhatAndHowWideItIs)
     EXPECT_THAT(rendered.report().layers[static_cast<std::size_t>(Layer::single)].bias, HasSubstr(fmt::format("in the last of 3 it was {:.3g} times as wide", progressive_radius(1, 2))));
 }
 
+TEST(DensityEstimation, CarriesLightsWithoutSizeOverMirrorsForMethodsOfStraightLines)
+{
+    const std::string rest = fog_cube + floor_below + lamp + view, point = point_light({.1, -.7, .2}, Rgb(1, 2, 3));
+    const Scene without_size = scene_of(rest + mirror + point);
+    const Explanation found = explain(without_size, {.passes = 1}), large = explain(scene_of(rest + mirror), {.passes = 1}), no_mirror = explain(scene_of(rest + point), {.passes = 1});
+    const auto line = [&](const Explanation& e, Layer layer) { return e.layers[static_cast<std::size_t>(layer)]; };
+    for (const Layer layer : {Layer::single_specular, Layer::surface_to_media_specular, Layer::media_to_media_specular, Layer::surface_direct_specular, Layer::surface_indirect_specular, Layer::media_to_surface_specular}) {
+        const bool to_media = layer == Layer::single_specular || layer == Layer::surface_to_media_specular || layer == Layer::media_to_media_specular;
+        EXPECT_EQ(line(found, layer).technique, to_media ? "photon beams" : "photons") << name(layer);
+        EXPECT_THAT(line(found, layer).why, HasSubstr("paths do not find lights without size over mirrors and glass"));
+        EXPECT_FALSE(line(found, layer).unbiased);
+        EXPECT_THAT(line(found, layer).bias, HasSubstr("radius"));
+        EXPECT_EQ(line(large, layer).technique, "path tracing") << name(layer);
+        EXPECT_TRUE(line(large, layer).unbiased && line(no_mirror, layer).unbiased);
+    }
+    for (const Layer layer : {Layer::single, Layer::media_to_media, Layer::media_to_surface}) EXPECT_TRUE(line(found, layer).unbiased) << name(layer);
+    const Explanation by_path = explain(without_size, {.path_layers = only(Layer::single_specular), .passes = 1});
+    EXPECT_EQ(line(by_path, Layer::single_specular).technique, "path tracing");
+    const Scene open = scene_of(fog_cube + mirror + point + view);  // no floor between mirror and fog
+    RenderSettings settings{.layers = only(Layer::single_specular), .passes = 3, .lights = 400};
+    const WholeRender ours = render_whole(open, settings);
+    settings.method = Method("talk");
+    expect_same_bytes(ours.film(), render_whole(open, settings).film());
+    EXPECT_GT(ours.beauty[0].value(), 0);
+}
+
 TEST(DensityEstimation, RefusesARadiusOfNothing)
 {
     const Scene scene = scene_of(fog_cube + lamp + view);
