@@ -131,12 +131,15 @@ std::string plan_bias(const Scene& scene, const RenderSettings& settings, const 
     return radius_text("beams", radius, 1);
 }
 
-/// Density estimation of a layer: its lights are those of the other layers of the technique.
-void plan_gathered(Layer layer, const LightTechnique& technique, const Scene& scene, const RenderSettings& settings, LayerPlan& plan)
+/// Beside a method of connected lights density estimation is the dear part of a pass: it gets this share of its usual number of lights, and more passes.
+constexpr std::uint32_t beside_connected = 16;
+
+/// Density estimation of a layer: its lights are those of the other layers of the technique. usual_lights: where the settings say nothing.
+void plan_gathered(Layer layer, const LightTechnique& technique, std::uint32_t usual_lights, const Scene& scene, const RenderSettings& settings, LayerPlan& plan)
 {
     const double share = settings.beam_radius.value_or(technique.usual_radius), size = bounds_of(scene).radius();
     auto found = std::find_if(plan.gathers.begin(), plan.gathers.end(), [&](const GatherPlan& g) { return g.technique == &technique; });
-    if (found == plan.gathers.end()) found = plan.gathers.insert(found, {&technique, {}, size > 0 ? share * size : share, settings.lights ? settings.lights : technique.usual_lights});
+    if (found == plan.gathers.end()) found = plan.gathers.insert(found, {&technique, {}, size > 0 ? share * size : share, settings.lights ? settings.lights : usual_lights});
     found->layers.add(layer);
     plan.reports.back().unbiased = false, plan.reports.back().bias = radius_text(technique.title, share, technique.blur_dimensions);
 }
@@ -192,7 +195,8 @@ SceneFeatures features_for(const Scene& scene, const RenderSettings& settings)
 static void plan_layer(Layer layer, const Recipe& recipe, const Scene& scene, const SceneFeatures& features, const RenderSettings& settings, LayerPlan& plan)
 {
     if (const LightTechnique* gathered = gatherer_of(layer, recipe)) {
-        plan_gathered(layer, *gathered, scene, settings, plan);
+        const bool beside = recipe_of(settings.method).gathered.empty();
+        plan_gathered(layer, *gathered, gathered->usual_lights / (beside ? beside_connected : 1), scene, settings, plan);
         if (gathered->reach == Reach::near_points) share_with_paths(layer, features, true, plan);
     } else if (surface_lights_of(layer, recipe)) {
         (layer == Layer::surface_to_media ? plan.surface_to_media : plan.surface_indirect) = true;
