@@ -31,7 +31,7 @@ void add_budget(CLI::App& app, RenderSettings& settings)
         [&](const auto& text) { settings.seconds = parse_duration("--time", text); });
     add(app, "--target-error", "SHARE", "stop when the image's error is at most this with 95 % confidence: 1% or .01",
         [&](const auto& text) { settings.target_error = parse_share("--target-error", text); });
-    add(app, "--lights", "N", "virtual lights per pass, aimed at (chosen from image size and time)",
+    add(app, "--lights", "N", "virtual lights per pass, aimed at (2048 to choose among; with --select all by image size and time)",
         [&](const auto& text) { settings.lights = static_cast<std::uint32_t>(parse_integer("--lights", text, 1, 1 << 26)); });
     add(app, "--seed", "N", "another seed, other noise (1)", [&](const auto& text) { settings.seed = parse_unsigned("--seed", text); });
 }

@@ -111,9 +111,10 @@ void add_bounds(Builder& b)
             b.add(fmt::format("clamp of {}", method.name()), i, fmt::format("{:g}", usual_clamp), values);
         }
         if (is_thick(method)) {
+            const double usual = usual_radius(method);
             std::vector<DialValue> values;
-            for (const double radius : {.4 * usual_radius(method), 2 * usual_radius(method)}) values.push_back({fmt::format("radius {:g}", radius), [=](RenderSettings& s) { s.beam_radius = radius; }});
-            b.add(fmt::format("radius of {}", method.name()), i, fmt::format("{:g}", usual_radius(method)), values);
+            for (const double radius : {.4 * usual, 2 * usual}) values.push_back({fmt::format("radius {:g}", radius), [=](RenderSettings& s) { s.beam_radius = radius; }});
+            b.add(fmt::format("radius of {}", method.name()), i, fmt::format("{:g}", usual), values);
         }
     }
 }

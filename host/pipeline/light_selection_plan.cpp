@@ -19,9 +19,7 @@ void decide(const RenderSettings& settings, SelectionPlan& plan)
     else if (settings.lights > 0) {
         plan.chosen = settings.lights >= fewest_lights;
         plan.why = fmt::format("{} lights per pass, choosing pays from {} on", settings.lights, fewest_lights);
-    } else {
-        plan.chosen = true, plan.why = "wins at equal time";
-    }
+    } else plan.chosen = true, plan.why = "wins at equal time";
 }
 
 }  // namespace
