@@ -57,14 +57,14 @@ public:
 
     /// deposit(segment, layer) for every piece in a medium; arrive(arrival, layer) where it meets a surface that reflects diffusely.
     template <typename Deposit, typename Arrive>
-    void trace(const Deposit& deposit, const Arrive& arrive)
+    void trace(const Deposit& deposit, const Arrive& arrive, bool arrivals)
     {
         while (largest(throughput_) > 0 && may_leave_lights()) {
             const RayWalk walk = visibility_.walk(ray_, medium_);
             const Vec2 xi = random_.next2();
             const FreeFlight flight = sample_free_flight(scene_, walk, throughput_, xi);
             leave_segments(walk, flight, deposit);
-            if (!flight.collided && walk.found) leave_arrival(walk, flight, arrive);
+            if (arrivals && !flight.collided && walk.found) leave_arrival(walk, flight, arrive);
             if (settings_.light_segments == LightSegments::first) return;
             const bool goes_on = flight.collided ? scatter_in_medium(walk, flight) : scatter_at_surface(walk, flight);
             if (!goes_on || !survives()) return;
@@ -163,18 +163,23 @@ private:
     LightHistory history_;
 };
 
-/// Calls deposit(chunk, segment, layer) for every piece of every path and arrive(chunk, arrival, layer); chunks run in parallel.
-template <typename Deposit, typename Arrive>
-void for_each_path(const Scene& scene, const Visibility& visibility, const LightTracingSettings& settings, const Deposit& deposit, const Arrive& arrive)
+/// Appends what every path leaves to records_of(chunk, layer), which is null where nobody wants it; chunks run in parallel.
+template <typename RecordsOf>
+void for_each_path(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, const LightTracingSettings& settings, const RecordsOf& records_of)
 {
     const EmitterSampler emitters(scene);
     if (emitters.empty()) return;
     const std::uint64_t chunks = (settings.paths + chunk_paths - 1) / chunk_paths;
     tbb::parallel_for(std::uint64_t(0), chunks, [&](std::uint64_t chunk) {
         throw_if_raised(settings.stop);
+        const auto deposit = [&](const LightPathSegment& segment, Layer layer) {
+            if (auto* records = records_of(chunk, layer); records && technique.deposit) technique.deposit(segment, *records);
+        };
+        const auto arrive = [&](const LightPathArrival& arrival, Layer layer) {
+            if (auto* records = records_of(chunk, layer)) technique.arrive(arrival, *records);
+        };
         for (std::uint64_t path = chunk * chunk_paths; path < std::min((chunk + 1) * chunk_paths, settings.paths); ++path)
-            LightPath(scene, visibility, emitters, settings, path)
-                .trace([&](const LightPathSegment& segment, Layer layer) { deposit(chunk, segment, layer); }, [&](const LightPathArrival& arrival, Layer layer) { arrive(chunk, arrival, layer); });
+            LightPath(scene, visibility, emitters, settings, path).trace(deposit, arrive, technique.arrive != nullptr);
     });
 }
 
@@ -192,13 +197,7 @@ static VirtualLights joined(const std::vector<std::vector<std::byte>>& chunks, c
 VirtualLights trace_lights(const Scene& scene, const Visibility& visibility, const LightTechnique& technique, const LightTracingSettings& settings)
 {
     std::vector<std::vector<std::byte>> chunks((settings.paths + chunk_paths - 1) / chunk_paths);
-    for_each_path(scene, visibility, settings,
-                  [&](std::uint64_t chunk, const LightPathSegment& segment, Layer) {
-                      if (technique.deposit) technique.deposit(segment, chunks[chunk]);
-                  },
-                  [&](std::uint64_t chunk, const LightPathArrival& arrival, Layer) {
-                      if (technique.arrive) technique.arrive(arrival, chunks[chunk]);
-                  });
+    for_each_path(scene, visibility, technique, settings, [&](std::uint64_t chunk, Layer) { return &chunks[chunk]; });
     return joined(chunks, technique);
 }
 
@@ -209,13 +208,7 @@ std::vector<GatheredLights> trace_gathered_lights(const Scene& scene, const Visi
     for (std::size_t l = 0; l < layer_count; ++l)
         if (layers.contains(static_cast<Layer>(l))) by_layer[l].resize((settings.paths + chunk_paths - 1) / chunk_paths);
     const auto chunk_of = [&](std::uint64_t chunk, Layer layer) { return layers.contains(layer) ? &by_layer[static_cast<std::size_t>(layer)][chunk] : nullptr; };
-    for_each_path(scene, visibility, settings,
-                  [&](std::uint64_t chunk, const LightPathSegment& segment, Layer layer) {
-                      if (auto* records = chunk_of(chunk, layer); records && technique.deposit) technique.deposit(segment, *records);
-                  },
-                  [&](std::uint64_t chunk, const LightPathArrival& arrival, Layer layer) {
-                      if (auto* records = chunk_of(chunk, layer); records && technique.arrive) technique.arrive(arrival, *records);
-                  });
+    for_each_path(scene, visibility, technique, settings, chunk_of);
     std::vector<GatheredLights> all;
     for (std::size_t l = 0; l < layer_count; ++l)
         if (layers.contains(static_cast<Layer>(l))) all.push_back({static_cast<Layer>(l), joined(by_layer[l], technique)});
