@@ -50,7 +50,10 @@ struct Backend::State {
                              .selection = {.chosen = chosen}, .sampler = sampler.sampler};
         const RenderSettings settings;
         const BuildMasks masks{media.features.media_to_media, media.features.media_to_surface};
-        if (wanted.selftest) check_on_first_use({.device = device.info(), .lanes = lanes, .families = case_families(plan, settings, masks)});
+        if (wanted.selftest) {
+            const SelftestReport checked = check_on_first_use({.device = device.info(), .lanes = lanes, .families = case_families(plan, settings, masks)});
+            if (wanted.warn && !checked.warning.empty()) wanted.warn(checked.warning);
+        }
         return stages.try_emplace(key, device, pair_program(plan, settings, kind == EyeKind::segments ? Layer::media_to_media : Layer::media_to_surface, masks, lanes), media_tables(media.scene, media.features)).first->second;
     }
 

@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "library/c_guard.hpp"
-#include "library/c_handles.hpp"
+#include "library/c_description.hpp"
 #include "tyndall/backend.hpp"
 
 using namespace tyndall;
@@ -25,18 +24,33 @@ static_assert(sizeof(tyndall_eye_point) == sizeof(api::EyePoint) && offsetof(tyn
               offsetof(tyndall_eye_point, facing) == offsetof(api::EyePoint, facing) && offsetof(tyndall_eye_point, throughput) == offsetof(api::EyePoint, throughput));
 static_assert(sizeof(tyndall_shadow_segment) == sizeof(api::ShadowSegment) && offsetof(tyndall_shadow_segment, medium) == offsetof(api::ShadowSegment, medium));
 
-api::Triple corner(const double* p, const char* what)
-{
-    needed(p, what);
-    return {p[0], p[1], p[2]};
-}
-
 api::Occluded asking(tyndall_occluded occluded, void* user)
 {
     if (!occluded) return {};
     return [=](std::span<const api::ShadowSegment> segments, std::span<std::uint8_t> blocked) {
         if (occluded(user, reinterpret_cast<const tyndall_shadow_segment*>(segments.data()), segments.size(), blocked.data()) != 0) throw UsageError("the caller's occluded ended the call");
     };
+}
+
+api::Transmitted asking(tyndall_transmittance passed, void* user)
+{
+    needed(passed, "passed");
+    return [=](std::span<const api::ShadowSegment> segments, std::span<api::Float3> out) {
+        if (passed(user, reinterpret_cast<const tyndall_shadow_segment*>(segments.data()), segments.size(), out.data()->data()) != 0) throw UsageError("the caller's transmittance ended the call");
+    };
+}
+
+/// What both ways to make a backend take from their arguments.
+api::BackendDescription described(const tyndall_description* media, const tyndall_settings* settings, const double* low, const double* high)
+{
+    const tyndall_description& from = needed(media, "the description");
+    api::BackendDescription description{.media = from.data.media, .containers = from.containers, .low = triple(low, "low"), .high = triple(high, "high")};
+    if (!settings) return description;
+    const RenderSettings& s = settings->settings;
+    description.device = s.device, description.opencl = s.opencl, description.lanes = s.lanes, description.selftest = s.selftest, description.stop = s.stop;
+    description.max_bytes = settings->max_bytes;
+    if (const auto log = settings->log) description.warn = [log, user = settings->user](const std::string& text) { log(user, 1, text.c_str()); };
+    return description;
 }
 
 template <typename Record, typename CRecord>
@@ -67,13 +81,30 @@ tyndall_status tyndall_backend_create(const tyndall_description* media, const ty
                                       tyndall_backend** backend)
 {
     return made(backend, [&] {
-        api::BackendDescription description{.media = needed(media, "the description").data.media, .low = corner(low, "low"), .high = corner(high, "high"), .occluded = asking(occluded, user)};
-        if (settings) {
-            const RenderSettings& s = settings->settings;
-            description.device = s.device, description.opencl = s.opencl, description.lanes = s.lanes, description.selftest = s.selftest, description.stop = s.stop;
-            description.max_bytes = settings->max_bytes;
-        }
+        api::BackendDescription description = described(media, settings, low, high);
+        description.occluded = asking(occluded, user);
         return new tyndall_backend{api::Backend(std::move(description))};
+    });
+}
+
+tyndall_status tyndall_backend_create_passing(const tyndall_description* media, const tyndall_settings* settings, const double* low, const double* high, tyndall_transmittance passed, void* user,
+                                              tyndall_backend** backend)
+{
+    return made(backend, [&] {
+        api::BackendDescription description = described(media, settings, low, high);
+        description.transmittance = asking(passed, user);
+        return new tyndall_backend{api::Backend(std::move(description))};
+    });
+}
+
+tyndall_status tyndall_add_container(tyndall_description* description, int medium, const double* planes, size_t plane_count)
+{
+    return guarded([&] {
+        tyndall_description& to = needed(description, "the description");
+        added(to.data.media, medium, "medium"), needed(planes, "planes");
+        api::Container container{.medium = static_cast<std::uint32_t>(medium)};
+        for (std::size_t i = 0; i < plane_count; ++i) container.planes.push_back({planes[4 * i], planes[4 * i + 1], planes[4 * i + 2], planes[4 * i + 3]});
+        to.containers.push_back(std::move(container));
     });
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 /// What stands behind the handles of the C interface.
+#include "tyndall/backend.hpp"
 #include "tyndall/tyndall.h"
 #include "tyndall/tyndall.hpp"
 
 struct tyndall_description {
     tyndall::api::SceneDescription data;
+    std::vector<tyndall::api::Container> containers;  ///< for backends
 };
 struct tyndall_scene {
     tyndall::api::Scene scene;

@@ -1,32 +1,9 @@
 /// The C interface: scenes.
 #include <string>
 
-#include "library/c_guard.hpp"
-#include "library/c_handles.hpp"
+#include "library/c_description.hpp"
 
 using namespace tyndall;
-
-namespace {
-
-api::Triple triple(const double* values, const char* what)
-{
-    needed(values, what);
-    return {values[0], values[1], values[2]};
-}
-
-/// Adds an element to a list and gives out its number.
-template <typename Element>
-void add(std::vector<Element>& list, Element&& element, int* index)
-{
-    list.push_back(std::move(element));
-    if (index) *index = static_cast<int>(list.size()) - 1;
-}
-
-api::SceneDescription& data(tyndall_description* description) { return needed(description, "the description").data; }
-
-std::optional<int> side(int medium) { return medium == TYNDALL_NO_BOUNDARY ? std::nullopt : std::optional(medium); }
-
-}  // namespace
 
 extern "C" {
 
@@ -71,15 +48,23 @@ tyndall_status tyndall_add_medium(tyndall_description* description, const double
     });
 }
 
+tyndall_status tyndall_set_rayleigh(tyndall_description* description, int medium)
+{
+    return guarded([&] { added(data(description).media, medium, "medium").phase = {.type = api::Phase::Type::rayleigh}; });
+}
+
+tyndall_status tyndall_set_phase_table(tyndall_description* description, int medium, const double* values, size_t count)
+{
+    return guarded([&] { added(data(description).media, medium, "medium").phase = {.type = api::Phase::Type::table, .values = std::vector<double>(&needed(values, "values"), values + count)}; });
+}
+
 tyndall_status tyndall_set_density(tyndall_description* description, int medium, int x, int y, int z, const float* values, const double* low, const double* high)
 {
     return guarded([&] {
-        auto& media = data(description).media;
-        if (medium < 0 || medium >= static_cast<int>(media.size())) throw UsageError("medium " + std::to_string(medium) + " has not been added");
+        api::Medium& of = added(data(description).media, medium, "medium");
         if (x < 1 || y < 1 || z < 1) throw UsageError("a grid has at least one voxel along every axis");
         const std::size_t count = std::size_t(x) * std::size_t(y) * std::size_t(z);
-        media[static_cast<std::size_t>(medium)].density =
-            api::Grid{.size = {x, y, z}, .values = std::vector<float>(&needed(values, "values"), values + count), .low = triple(low, "low"), .high = triple(high, "high")};
+        of.density = api::Grid{.size = {x, y, z}, .values = std::vector<float>(&needed(values, "values"), values + count), .low = triple(low, "low"), .high = triple(high, "high")};
     });
 }
 
@@ -124,6 +109,15 @@ tyndall_status tyndall_add_mesh(tyndall_description* description, const double* 
     });
 }
 
+tyndall_status tyndall_set_normals(tyndall_description* description, int mesh, const double* normals, size_t count)
+{
+    return guarded([&] {
+        api::Mesh& of = added(data(description).meshes, mesh, "mesh");
+        needed(normals, "normals"), of.normals.clear();
+        for (std::size_t i = 0; i < count; ++i) of.normals.push_back(triple(normals + 3 * i, "normals"));
+    });
+}
+
 tyndall_status tyndall_add_point(tyndall_description* description, const double* intensity, const double* position, int medium)
 {
     return guarded([&] {
@@ -149,6 +143,11 @@ tyndall_status tyndall_add_directional(tyndall_description* description, const d
 tyndall_status tyndall_add_constant(tyndall_description* description, const double* radiance)
 {
     return guarded([&] { data(description).emitters.push_back({.type = api::Emitter::Type::constant, .value = triple(radiance, "radiance")}); });
+}
+
+tyndall_status tyndall_set_max_depth(tyndall_description* description, int max_depth)
+{
+    return guarded([&] { data(description).max_depth = max_depth; });
 }
 
 tyndall_status tyndall_set_camera(tyndall_description* description, const double* origin, const double* target, const double* up, double fov_degrees, int width, int height, int medium)

@@ -40,18 +40,24 @@ private:
     void one(const api::Medium& m) { const auto& [name, sigma_t, albedo, phase, density] = m; all(name, sigma_t, albedo, phase, density); }
     void one(const api::Bsdf& b)
     {
-        const auto& [name, type, reflectance, transmittance, eta, conductor_eta, conductor_k, alpha, ggx, two_sided] = b;
-        all(name, type, reflectance, transmittance, eta, conductor_eta, conductor_k, alpha, ggx, two_sided);
+        const auto& [name, type, reflectance, transmittance, eta, conductor_eta, conductor_k, alpha, ggx, two_sided, reflectance_texture, transmittance_texture] = b;
+        all(name, type, reflectance, transmittance, eta, conductor_eta, conductor_k, alpha, ggx, two_sided, reflectance_texture, transmittance_texture);
     }
     void one(const api::Mesh& m)
     {
-        const auto& [name, vertices, normals, triangles, bsdf, interior, exterior, radiance] = m;
-        all(name, vertices, normals, triangles, bsdf, interior, exterior, radiance);
+        const auto& [name, vertices, normals, triangles, bsdf, interior, exterior, radiance, uvs] = m;
+        all(name, vertices, normals, triangles, bsdf, interior, exterior, radiance, uvs);
     }
+    void one(const api::Texture& t)
+    {
+        const auto& [name, type, width, height, channels, texels, filter, wrap, even, odd, to_uv] = t;
+        all(name, type, width, height, channels, texels, filter, wrap, even, odd, to_uv);
+    }
+    void one(const api::EnvironmentMap& m) { const auto& [name, width, height, texels] = m; all(name, width, height, texels); }
     void one(const api::Emitter& e)
     {
-        const auto& [name, type, value, position, direction, cutoff, beam, medium] = e;
-        all(name, type, value, position, direction, cutoff, beam, medium);
+        const auto& [name, type, value, position, direction, cutoff, beam, medium, map, up, middle] = e;
+        all(name, type, value, position, direction, cutoff, beam, medium, map, up, middle);
     }
     void one(const api::Camera& c)
     {
@@ -66,9 +72,9 @@ private:
 
 std::uint64_t hash_of(const api::SceneDescription& description)
 {
-    const auto& [name, media, bsdfs, meshes, emitters, camera, max_depth] = description;
+    const auto& [name, media, bsdfs, meshes, emitters, camera, max_depth, textures, environment_maps] = description;
     Fold fold;
-    fold.all(name, media, bsdfs, meshes, emitters, camera, max_depth);
+    fold.all(name, media, bsdfs, meshes, emitters, camera, max_depth, textures, environment_maps);
     return fold.value();
 }
 

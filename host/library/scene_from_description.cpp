@@ -7,6 +7,7 @@
 
 #include "library/checked_values.hpp"
 #include "library/description_hash.hpp"
+#include "library/pictures_from_description.hpp"
 #include "scene/mesh_geometry.hpp"
 #include "scene/phases.hpp"
 #include "scene/render_space.hpp"
@@ -73,6 +74,13 @@ void add_bsdf(const api::Bsdf& from, const Place& place, Scene& scene)
     const double alpha = place.number("alpha", from.alpha, 1e-4, 10);
     bsdf.roughness = {.type = from.ggx ? Roughness::Type::ggx : Roughness::Type::beckmann, .alpha_u = alpha, .alpha_v = alpha};
     bsdf.two_sided = from.two_sided;
+    const auto textured = [&](const char* what, std::optional<int> index, Rgb& colour) {
+        if (!index) return none;
+        colour = scene.textures[static_cast<std::size_t>(place.index(what, *index, scene.textures.size(), 0))].largest;
+        return *index;
+    };
+    if (bsdf.type != Type::null) bsdf.reflectance_texture = textured("reflectance_texture", from.reflectance_texture, bsdf.reflectance);
+    if (glass) bsdf.transmittance_texture = textured("transmittance_texture", from.transmittance_texture, bsdf.specular_transmittance);
     place.require(!bsdf.two_sided || (!glass && bsdf.type != Type::null), "only what lets no light through can be two-sided");
     scene.bsdfs.push_back(std::move(bsdf));
 }
@@ -83,6 +91,9 @@ Mesh triangles_of(const api::Mesh& from, const Place& place)
     for (const api::Triple& vertex : from.vertices) mesh.vertices.push_back(place.point("a vertex", vertex));
     for (const api::Triple& normal : from.normals) mesh.normals.push_back(place.direction("a normal", normal));
     place.require(from.normals.empty() || from.normals.size() == from.vertices.size(), fmt::format("{} normals for {} vertices; give one each, or none", from.normals.size(), from.vertices.size()));
+    place.require(from.uvs.empty() || from.uvs.size() == from.vertices.size(), fmt::format("{} texture coordinates for {} vertices; give one each, or none", from.uvs.size(), from.vertices.size()));
+    const auto coordinate = [&](double x) { return place.number("a texture coordinate", x, -largest_coordinate, largest_coordinate); };
+    for (const auto& [u, v] : from.uvs) mesh.uvs.emplace_back(coordinate(u), coordinate(v));
     for (const auto& [a, b, c] : from.triangles) {
         place.require(a < from.vertices.size() && b < from.vertices.size() && c < from.vertices.size(),
                       fmt::format("triangle {} has a corner beyond the {} vertices", mesh.triangles.size(), from.vertices.size()));
@@ -100,8 +111,11 @@ void add_mesh(const api::Mesh& from, const Place& place, Scene& scene)
     shape.medium_boundary = from.interior || from.exterior;
     shape.interior = place.index("interior", from.interior.value_or(vacuum), scene.media.size(), vacuum);
     shape.exterior = place.index("exterior", from.exterior.value_or(vacuum), scene.media.size(), vacuum);
+    const Bsdf& bsdf = scene.bsdfs[static_cast<std::size_t>(shape.bsdf)];
+    if (shape.mesh.uvs.empty() && (bsdf.reflectance_texture != none || bsdf.transmittance_texture != none))
+        scene.warnings.push_back(place.name() + ": has no texture coordinates, so that every triangle shows half of the unit square of its texture; hand over uvs");
     if (from.radiance) {
-        place.require(scene.bsdfs[static_cast<std::size_t>(shape.bsdf)].type != Bsdf::Type::null, "glows, but its bsdf is null: light cannot leave a surface that is not there");
+        place.require(bsdf.type != Bsdf::Type::null, "glows, but its bsdf is null: light cannot leave a surface that is not there");
         shape.emitter = static_cast<int>(scene.emitters.size());
         scene.emitters.push_back({.name = from.name, .type = Emitter::Type::area, .value = place.colour("radiance", *from.radiance, 1e300), .shape = static_cast<int>(scene.shapes.size()),
                                   .medium = shape.medium_boundary ? shape.exterior : vacuum});
@@ -116,6 +130,10 @@ void add_emitter(const api::Emitter& from, const Place& place, Scene& scene)
     if (from.type == From::point) emitter.type = Emitter::Type::point;
     if (from.type == From::spot) emitter.type = Emitter::Type::spot;
     if (from.type == From::directional) emitter.type = Emitter::Type::directional;
+    if (from.type == From::environment) {
+        emitter.type = Emitter::Type::envmap, emitter.map_to_world = turning_of(from, place);
+        emitter.map = place.index("map", from.map, scene.environment_maps.size(), 0);
+    }
     emitter.position = place.point("position", from.position);
     if (from.type == From::spot || from.type == From::directional) emitter.direction = place.direction("direction", from.direction);
     emitter.cutoff = radians(place.number("cutoff_degrees", from.cutoff_degrees, 0, 180, true));
@@ -166,6 +184,8 @@ Scene scene_from(const api::SceneDescription& from)
 {
     Scene scene{.file = from.name, .hash = hash_of(from)};
     add_all(from, "medium", from.media, scene, add_medium);
+    add_all(from, "texture", from.textures, scene, add_texture);
+    add_all(from, "environment map", from.environment_maps, scene, add_environment_map);
     add_all(from, "bsdf", from.bsdfs, scene, add_bsdf);
     add_all(from, "mesh", from.meshes, scene, add_mesh);
     add_all(from, "emitter", from.emitters, scene, add_emitter);

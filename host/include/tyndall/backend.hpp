@@ -93,6 +93,7 @@ struct BackendDescription {
     bool selftest = true;                 ///< as RenderSettings::selftest
     std::uint64_t max_bytes = 0;          ///< of buffers on the device: less is done at a time, ResourceError if nothing can be; 0: 64 MiB of eyes at a time
     const StopFlag* stop = nullptr;       ///< raised: `connect` throws Stopped. Must outlive the backend
+    std::function<void(const std::string&)> warn{};  ///< sentences for people, on the thread that called `connect`; without it nothing is printed anywhere
 };
 
 struct ConnectOptions {

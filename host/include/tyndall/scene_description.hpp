@@ -36,6 +36,22 @@ struct Medium {
     std::optional<Grid> density{};  ///< none: homogeneous
 };
 
+/// Colours over texture coordinates (u, v).
+struct Texture {
+    enum class Type { picture, checkerboard };
+    enum class Filter { bilinear, nearest };
+    enum class Wrap { repeat, mirror, clamp };  ///< what continues a picture beyond [0, 1]^2
+    std::string name = "texture";
+    Type type = Type::picture;
+    int width = 0, height = 0;         ///< picture: pixels
+    int channels = 3;                  ///< picture: 1 (grey) or 3
+    std::vector<float> texels{};         ///< picture: [y][x][channel], linear, in [0, 1]; row 0 is at v = 0, the centre of pixel (x, y) at ((x + 1/2) / width, (y + 1/2) / height)
+    Filter filter = Filter::bilinear;
+    Wrap wrap = Wrap::repeat;
+    Triple even{.4, .4, .4}, odd{.2, .2, .2};  ///< checkerboard: squares of half a unit, `even` at the origin; in [0, 1]
+    std::array<double, 6> to_uv{1, 0, 0, 0, 1, 0};  ///< two rows of three numbers: what (u, v, 1) becomes before it is looked up
+};
+
 /// What a surface does with light.
 struct Bsdf {
     enum class Type { null, diffuse, dielectric, conductor, thin_dielectric, rough_dielectric, rough_conductor };
@@ -48,6 +64,7 @@ struct Bsdf {
     double alpha = .1;                 ///< rough ones: root mean square slope times sqrt(2), in [1e-4, 10]
     bool ggx = false;                  ///< rough ones: GGX in place of Beckmann
     bool two_sided = false;            ///< diffuse and metals: the back behaves as the front
+    std::optional<int> reflectance_texture{}, transmittance_texture{};  ///< in place of those colours, by index into SceneDescription::textures
 };
 
 /// Triangles, counter-clockwise seen from outside.
@@ -59,17 +76,27 @@ struct Mesh {
     int bsdf = 0;                      ///< index into SceneDescription::bsdfs
     std::optional<int> interior{}, exterior{};  ///< media inside and outside, by index, or vacuum; neither: the mesh bounds no medium
     std::optional<Triple> radiance{};    ///< it glows outwards, W/m2/sr
+    std::vector<std::array<double, 2>> uvs{};  ///< texture coordinates of vertices, or none
+};
+
+/// Radiance from far away, by direction: the first row of the picture is straight up, the last straight down, columns turn around.
+struct EnvironmentMap {
+    std::string name = "environment map";
+    int width = 0, height = 0;         ///< pixels, at least 2 each, at most 2^25 altogether
+    std::vector<float> texels{};         ///< [y][x][r, g, b], linear, finite and >= 0, W/m2/sr
 };
 
 struct Emitter {
-    enum class Type { point, spot, directional, constant };
+    enum class Type { point, spot, directional, constant, environment };
     std::string name = "emitter";
     Type type = Type::point;
-    Triple value{1, 1, 1};             ///< intensity (point, spot; W/sr), irradiance (directional; W/m2), radiance (constant; W/m2/sr)
+    Triple value{1, 1, 1};             ///< intensity (point, spot; W/sr), irradiance (directional; W/m2), radiance (constant; W/m2/sr), factor of the map (environment)
     Triple position{0, 0, 0};          ///< point, spot
     Triple direction{0, 0, 1};         ///< spot, directional: of travel, of any length but 0
     double cutoff_degrees = 20, beam_degrees = 15;  ///< spot: half angles where it is dark, and up to which it is full
     int medium = vacuum;               ///< that it stands in
+    int map = 0;                       ///< environment: index into SceneDescription::environment_maps
+    Triple up{0, 1, 0}, middle{0, 0, 1};  ///< environment: where the first row, and the middle of the picture, lie; of any length but 0, not parallel; `middle` is made orthogonal to `up`
 };
 
 /// A pinhole camera and its film.
@@ -90,6 +117,8 @@ struct SceneDescription {
     std::vector<Emitter> emitters{};
     Camera camera{};
     int max_depth = -1;                ///< paths have at most max_depth - 1 scattering vertices; -1: no limit
+    std::vector<Texture> textures{};
+    std::vector<EnvironmentMap> environment_maps{};
 };
 
 }  // namespace tyndall::api

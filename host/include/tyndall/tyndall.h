@@ -16,7 +16,7 @@ extern "C" {
 #endif
 
 /// Grows when functions are added; what is there does not change. tyndall_abi_version() is that of the library that is loaded.
-#define TYNDALL_ABI_VERSION 1
+#define TYNDALL_ABI_VERSION 2
 TYNDALL_API int tyndall_abi_version(void);
 /// "0.1.0 (commit)".
 TYNDALL_API const char* tyndall_version(void);
@@ -63,6 +63,10 @@ TYNDALL_API tyndall_status tyndall_description_create(tyndall_description** desc
 TYNDALL_API void tyndall_description_destroy(tyndall_description* description);
 /// Homogeneous; extinction per unit of length and albedo as r, g, b; g: Henyey and Greenstein's mean cosine, in (-1, 1), 0: isotropic.
 TYNDALL_API tyndall_status tyndall_add_medium(tyndall_description* description, const double* sigma_t, const double* albedo, double g, int* index);
+/// Rayleigh's phase function in place of the medium's.
+TYNDALL_API tyndall_status tyndall_set_rayleigh(tyndall_description* description, int medium);
+/// A table in its place: `count` values, two or more, >= 0, at equally spaced cosines between the directions of travel from -1 (straight back) to 1.
+TYNDALL_API tyndall_status tyndall_set_phase_table(tyndall_description* description, int medium, const double* values, size_t count);
 /// Voxels x * y * z of density ([z][y][x]) between two corners: the extinction of that medium is sigma_t times the density, and 0 outside.
 TYNDALL_API tyndall_status tyndall_set_density(tyndall_description* description, int medium, int x, int y, int z, const float* values, const double* low, const double* high);
 /// A boundary without a surface.
@@ -75,15 +79,39 @@ TYNDALL_API tyndall_status tyndall_add_conductor(tyndall_description* descriptio
 /// Triangles, counter-clockwise seen from outside: 3 doubles per vertex, 3 numbers per triangle. interior, exterior: media; radiance: r, g, b, or NULL if it does not glow.
 TYNDALL_API tyndall_status tyndall_add_mesh(tyndall_description* description, const double* vertices, size_t vertex_count, const uint32_t* triangles, size_t triangle_count, int bsdf,
                                             int interior, int exterior, const double* radiance, int* index);
+/// Shading normals, 3 doubles for each vertex of a mesh.
+TYNDALL_API tyndall_status tyndall_set_normals(tyndall_description* description, int mesh, const double* normals, size_t count);
 /// `medium`: what the light stands in, or TYNDALL_VACUUM.
 TYNDALL_API tyndall_status tyndall_add_point(tyndall_description* description, const double* intensity, const double* position, int medium);
 TYNDALL_API tyndall_status tyndall_add_spot(tyndall_description* description, const double* intensity, const double* position, const double* direction, double cutoff_degrees,
                                             double beam_degrees, int medium);
 TYNDALL_API tyndall_status tyndall_add_directional(tyndall_description* description, const double* irradiance, const double* direction);
 TYNDALL_API tyndall_status tyndall_add_constant(tyndall_description* description, const double* radiance);
+/// Light from far away, by direction: width * height * 3 floats >= 0, the first row straight up, columns turn around; `factor` as r, g, b. up, middle: where the first row and
+/// the middle of the picture lie; NULL: (0, 1, 0), (0, 0, 1).
+TYNDALL_API tyndall_status tyndall_add_environment(tyndall_description* description, int width, int height, const float* texels, const double* factor, const double* up,
+                                                   const double* middle);
+/// Paths have at most max_depth - 1 scattering vertices; -1, as without this: no limit.
+TYNDALL_API tyndall_status tyndall_set_max_depth(tyndall_description* description, int max_depth);
 /// Horizontal field of view.
 TYNDALL_API tyndall_status tyndall_set_camera(tyndall_description* description, const double* origin, const double* target, const double* up, double fov_degrees, int width, int height,
                                               int medium);
+
+/// A picture as texture: width * height * channels (1 or 3) floats in [0, 1], linear; row 0 is at v = 0. Bilinear between pixels and repeated unless tyndall_set_lookup says otherwise.
+TYNDALL_API tyndall_status tyndall_add_picture(tyndall_description* description, int width, int height, int channels, const float* texels, int* index);
+/// Squares of half a unit in two colours, `even` at the origin. Pictures and checkerboards are numbered together.
+TYNDALL_API tyndall_status tyndall_add_checkerboard(tyndall_description* description, const double* even, const double* odd, int* index);
+enum { TYNDALL_BILINEAR = 0, TYNDALL_NEAREST = 1 };
+enum { TYNDALL_REPEAT = 0, TYNDALL_MIRROR = 1, TYNDALL_CLAMP = 2 };
+/// `to_uv`: two rows of three numbers, what (u, v, 1) becomes before it is looked up; NULL: as it was.
+TYNDALL_API tyndall_status tyndall_set_lookup(tyndall_description* description, int texture, int filter, int wrap, const double* to_uv);
+#define TYNDALL_NO_TEXTURE (-1)
+/// Textures in place of what a bsdf reflects and, of glass, lets through.
+TYNDALL_API tyndall_status tyndall_set_textures(tyndall_description* description, int bsdf, int reflectance, int transmittance);
+/// u, v for each vertex of a mesh.
+TYNDALL_API tyndall_status tyndall_set_texture_coordinates(tyndall_description* description, int mesh, const double* uvs, size_t count);
+
+/// The description may be destroyed, or go on to the next scene.
 TYNDALL_API tyndall_status tyndall_scene_create(const tyndall_description* description, tyndall_scene** scene);
 
 /* Settings. */
@@ -186,12 +214,22 @@ typedef struct tyndall_shadow_segment {
 /// Writes 1 for every segment that something stands across, else 0. Anything but 0 as its result ends the call that asked, with TYNDALL_USAGE_ERROR.
 typedef int (*tyndall_occluded)(void* user, const tyndall_shadow_segment* segments, size_t count, uint8_t* blocked);
 
+/// Writes what passes along every segment, r, g, b each; 0 where something stands across. Its result is as that of tyndall_occluded.
+typedef int (*tyndall_transmittance)(void* user, const tyndall_shadow_segment* segments, size_t count, float* passed);
+
 typedef struct tyndall_backend tyndall_backend;
 
-/// Takes the media of a description (nothing else of it is looked at), and of the settings the device or the caller's OpenCL objects, lanes, no-selftest, max_bytes and the
-/// stop flag; NULL: none. low, high: a box that holds every light and eye. occluded NULL: nothing stands between.
+/// For backends, where scenes have meshes: a convex polyhedron that a medium fills, in vacuum, as 4 to 64 half-spaces of 4 doubles each, x n[0] + y n[1] + z n[2] <= n[3]. Containers are
+/// disjoint. None: between an eye and a light is the light's medium and nothing else.
+TYNDALL_API tyndall_status tyndall_add_container(tyndall_description* description, int medium, const double* planes, size_t plane_count);
+
+/// Takes the media and containers of a description (nothing else of it is looked at), and of the settings the device or the caller's OpenCL objects, lanes, no-selftest, max_bytes,
+/// the stop flag and the log callback, which hears warnings during calls; NULL: none. low, high: a box that holds every light and eye. occluded NULL: nothing stands between.
 TYNDALL_API tyndall_status tyndall_backend_create(const tyndall_description* media, const tyndall_settings* settings, const double* low, const double* high, tyndall_occluded occluded,
                                                   void* user, tyndall_backend** backend);
+/// The same for media of any shape: `passed` says what both `occluded` and containers would, and a description with containers is refused.
+TYNDALL_API tyndall_status tyndall_backend_create_passing(const tyndall_description* media, const tyndall_settings* settings, const double* low, const double* high,
+                                                          tyndall_transmittance passed, void* user, tyndall_backend** backend);
 TYNDALL_API void tyndall_backend_destroy(tyndall_backend* backend);
 
 /// How to estimate: a seed, independent rounds (variances take two), and lights per eye, 0: all.
