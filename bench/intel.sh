@@ -6,27 +6,18 @@
 #   REPETITIONS=5 LANES=8,16 bash ...     more turns (3), fewer lane widths (1,4,8,16)
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
+source "$repository_root/host/cmake/intel_runtime.sh"
 out=${1:-$repository_root/bench/results/intel}
-folder=$repository_root/build/intel
-install_packages python3 python3-venv util-linux
+install_packages util-linux python3
 if [[ -z ${PROGRAM:-} ]]; then
   install_packages "${build_packages[@]}"
   build_release tyndall_cli
 fi
 program=$(realpath "${PROGRAM:-$build_folder/tyndall}")
 
-if [[ ! -e $folder/venv/lib/libintelocl.so ]]; then
-  say "installing Intel's runtime into $folder"
-  python3 -m venv "$folder/venv"
-  timeout 600 "$folder/venv/bin/pip" install --quiet intel-opencl-rt intel-cmplr-lib-rt
-fi
-# The loader is to find both drivers. Intel's needs a newer TBB than Debian's, which the program has loaded already: that one library goes first on the path, and none else of its folder, which also holds
-# a libOpenCL.so that would take the place of the system's loader.
-mkdir -p "$folder/vendors" "$folder/libraries" "$out"
-echo "$folder/venv/lib/libintelocl.so" >"$folder/vendors/intel.icd"
-cp /etc/OpenCL/vendors/pocl.icd "$folder/vendors/"
-ln -sf "$folder/venv/lib/libtbb.so.12" "$folder/libraries/"
-export OCL_ICD_VENDORS=$folder/vendors LD_LIBRARY_PATH=$folder/libraries XDG_CONFIG_HOME=$folder/no_calibration
+use_intel_runtime
+mkdir -p "$out"
+export XDG_CONFIG_HOME=$repository_root/build/intel/no_calibration
 
 raw=$(mktemp -d)
 trap 'rm -rf "$raw"' EXIT

@@ -1,19 +1,15 @@
 #include "device/pair_stage.hpp"
 
-#include <cstdio>
+#include <fmt/format.h>
+
 #include <stdexcept>
 
 #include "device/pair_stage_state.hpp"
 
 namespace tyndall {
 
-/// Nine digits tell every float from its neighbours.
-static std::string clamp_option(float clamp)
-{
-    char text[40];
-    std::snprintf(text, sizeof text, " -DCLAMP=%.9ef", static_cast<double>(clamp));
-    return text;
-}
+/// Nine digits tell every float from its neighbours; a point, whatever the locale of the program that uses the library.
+static std::string clamp_option(float clamp) { return fmt::format(" -DCLAMP={:.9e}f", static_cast<double>(clamp)); }
 
 std::string build_options(const PairProgram& program)
 {

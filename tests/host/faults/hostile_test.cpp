@@ -60,15 +60,6 @@ TEST_F(Hostile, TwoRunsOnOneOutputLeaveOneOfThemWhole)
     }
 }
 
-TEST_F(Hostile, ALocaleWithACommaChangesNoByte)
-{
-    ASSERT_EQ(render({"--method", "path", "--exposure", "1.5"}).exit_code, 0);
-    const std::string image = file_bytes(folder / "scene.exr"), picture = file_bytes(folder / "scene.png");
-    ASSERT_EQ(render({"--method", "path", "--exposure", "1.5"}, {{"LC_ALL", "de_DE.UTF-8"}, {"LANG", "de_DE.UTF-8"}}).exit_code, 0);
-    EXPECT_EQ(file_bytes(folder / "scene.exr"), image);
-    EXPECT_EQ(file_bytes(folder / "scene.png"), picture);
-}
-
 TEST_F(Hostile, DumpedKernelsAreWhatTheCompilerSawAndChangeNoByte)
 {
     ASSERT_EQ(render({"--lanes", "4"}).exit_code, 0);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <clocale>
+#include "support/comma_locale.hpp"
 
 namespace tyndall {
 
@@ -17,11 +17,9 @@ TEST(SceneText, RealsAreStrict)
 
 TEST(SceneText, RealsDoNotListenToTheLocale)
 {
-    const std::string before = std::setlocale(LC_ALL, nullptr);
-    for (const char* comma : {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE"}) std::setlocale(LC_ALL, comma);
+    const test::CommaLocale comma;
     EXPECT_EQ(parse_real("1.5"), 1.5);
     EXPECT_FALSE(parse_real("1,5").has_value());
-    std::setlocale(LC_ALL, before.c_str());
 }
 
 TEST(SceneText, IntegersAreStrict)
