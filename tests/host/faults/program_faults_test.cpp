@@ -65,6 +65,19 @@ TEST_F(FaultyProgram, OdditiesGiveTheSameImage)
     EXPECT_EQ(image(), expected) << "a device with a GiB";
 }
 
+TEST_F(FaultyProgram, ThreadsOfTheDriverNeverChangeAByte)
+{
+    ASSERT_EQ(render("").exit_code, 0);
+    const std::string expected = image();
+    for (const int threads : {1, 2, 3}) {
+        const std::vector<std::pair<std::string, std::string>> environment{{"POCL_MAX_PTHREAD_COUNT", std::to_string(threads)}};
+        const ProcessResult listed = run({"devices", "--json"}, {.environment = environment});
+        ASSERT_EQ(nlohmann::json::parse(listed.out).at("devices").at(0).at("compute_units"), threads) << "PoCL took another number";
+        EXPECT_EQ(render("", {}, environment).exit_code, 0);
+        EXPECT_TRUE(image() == expected) << threads;
+    }
+}
+
 TEST_F(FaultyProgram, NumbersThatAreNoneAreLeftOutCountedAndWithStrictNanExitCode1)
 {
     ASSERT_EQ(render("", {"--strict-nan"}).exit_code, 0);

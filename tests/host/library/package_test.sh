@@ -24,7 +24,7 @@ for library in libembree libopenexr libtbb ocl-icd-libopencl1; do [[ $depends ==
 
 if [[ $mode == unpack ]]; then
   dpkg-deb --extract "$package" "$folder/root"
-  "$folder/root/usr/bin/tyndall" --version | grep -q "^tyndall $(dpkg-deb --field "$package" Version) " || fail "the program does not have the package's version"
+  "$folder/root/usr/bin/tyndall" --version | grep "^tyndall $(dpkg-deb --field "$package" Version) " || fail "the program does not have the package's version"
   "$folder/root/usr/bin/tyndall" render "$scene" --resolution 8x8 -p 1 --lights 16 --no-selftest --progress none -o "$folder/small.exr" || fail "rendering"
   exit 0
 fi
@@ -42,9 +42,9 @@ cp "$scene" "$folder/root/scene.xml"
 in_root() { env --unset=XDG_CACHE_HOME HOME=/root DEBIAN_FRONTEND=noninteractive chroot "$folder/root" "$@"; }
 in_root apt-get update --quiet --quiet || fail "apt-get update"
 in_root apt-get install --yes --quiet --quiet --no-install-recommends /tyndall.deb pocl-opencl-icd || fail "apt-get install"
-in_root tyndall devices | grep -qi pocl || fail "the installed program sees no device"
+in_root tyndall devices | grep -i pocl || fail "the installed program sees no device"
 in_root tyndall render scene.xml --resolution 8x8 -p 2 --lights 16 -o small.exr || fail "rendering in the fresh Debian"
 [[ -s $folder/root/small.exr ]] || fail "no image"
-in_root ldconfig -p | grep -q libtyndall.so.0 || fail "the dynamic linker does not find the library"
+in_root ldconfig -p | grep libtyndall.so.0 || fail "the dynamic linker does not find the library"
 in_root dpkg --remove tyndall >/dev/null || fail "removing it"
 [[ ! -e $folder/root/usr/bin/tyndall ]] || fail "something is left after it was removed"
