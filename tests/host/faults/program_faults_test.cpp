@@ -72,7 +72,9 @@ TEST_F(FaultyProgram, ThreadsOfTheDriverNeverChangeAByte)
     for (const int threads : {1, 2, 3}) {
         const std::vector<std::pair<std::string, std::string>> environment{{"POCL_MAX_PTHREAD_COUNT", std::to_string(threads)}};
         const ProcessResult listed = run({"devices", "--json"}, {.environment = environment});
-        ASSERT_EQ(nlohmann::json::parse(listed.out).at("devices").at(0).at("compute_units"), threads) << "PoCL took another number";
+        const nlohmann::json device = nlohmann::json::parse(listed.out).at("devices").at(0);
+        if (device.at("platform") != "Portable Computing Language") GTEST_SKIP() << "the variable is PoCL's";
+        ASSERT_EQ(device.at("compute_units"), threads);
         EXPECT_EQ(render("", {}, environment).exit_code, 0);
         EXPECT_TRUE(image() == expected) << threads;
     }
