@@ -1,10 +1,9 @@
 #include "eye_tracing/eye_tracing.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <numbers>
 
+#include "parallel/parallel_for.hpp"
 #include "transport/bsdf.hpp"
 #include "transport/camera.hpp"
 #include "transport/lit_stretch.hpp"
@@ -177,7 +176,7 @@ EyeRecords trace_eyes(const Scene& scene, const Visibility& visibility, const Ey
     all.features = {std::vector<Rgb>(pixels, Rgb(0)), std::vector<Vec3>(pixels, Vec3(0)), std::vector<double>(pixels, 0)};
     for (int sample = 0; sample < settings.samples; ++sample) {
         std::vector<Row> rows(static_cast<std::size_t>(height));
-        tbb::parallel_for(0, height, [&](int y) {
+        parallel_for(0, height, [&](int y) {
             throw_if_raised(settings.stop);
             for (int x = 0; x < width; ++x) EyePath(scene, visibility, settings, all, rows[static_cast<std::size_t>(y)], x, y, sample).trace();
         });

@@ -1,12 +1,11 @@
 #include "light_tracing/light_tracing.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "parallel/parallel_for.hpp"
 #include "transport/bsdf.hpp"
 #include "transport/emitter.hpp"
 #include "transport/lit_stretch.hpp"
@@ -170,7 +169,7 @@ void for_each_path(const Scene& scene, const Visibility& visibility, const Light
     const EmitterSampler emitters(scene);
     if (emitters.empty()) return;
     const std::uint64_t chunks = (settings.paths + chunk_paths - 1) / chunk_paths;
-    tbb::parallel_for(std::uint64_t(0), chunks, [&](std::uint64_t chunk) {
+    parallel_for(std::uint64_t(0), chunks, [&](std::uint64_t chunk) {
         throw_if_raised(settings.stop);
         const auto deposit = [&](const LightPathSegment& segment, Layer layer) {
             if (auto* records = records_of(chunk, layer); records && technique.deposit) technique.deposit(segment, *records);

@@ -1,9 +1,8 @@
 #include "path_tracing/single_scattering.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
+#include "parallel/parallel_for.hpp"
 #include "path_tracing/scatter_distances.hpp"
 #include "transport/bsdf.hpp"
 #include "transport/camera.hpp"
@@ -175,7 +174,7 @@ void trace_single(const Scene& scene, const Visibility& visibility, const PathTr
     const Shared shared{.scene = scene, .visibility = visibility, .settings = settings, .emitters = EmitterSampler(scene)};
     if (shared.emitters.empty()) return;
     visibility.in_arena([&] {
-        tbb::parallel_for(0, image.height, [&](int y) {
+        parallel_for(0, image.height, [&](int y) {
             throw_if_raised(settings.stop);
             for (int x = 0; x < image.width; ++x) {
                 const std::size_t pixel = static_cast<std::size_t>(y) * image.width + x;

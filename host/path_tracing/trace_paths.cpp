@@ -1,10 +1,9 @@
 #include "path_tracing/path_tracing.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <tuple>
 
+#include "parallel/parallel_for.hpp"
 #include "path_tracing/layer_track.hpp"
 #include "transport/bsdf.hpp"
 #include "transport/camera.hpp"
@@ -217,7 +216,7 @@ void trace_paths(const Scene& scene, const Visibility& visibility, const PathTra
     for (std::size_t i = 0; i < scene.emitters.size(); ++i)
         if (all_around(scene.emitters[i])) shared.surroundings.push_back(static_cast<int>(i));
     visibility.in_arena([&] {
-        tbb::parallel_for(0, image.height, [&](int y) {
+        parallel_for(0, image.height, [&](int y) {
             throw_if_raised(settings.stop);
             for (int x = 0; x < image.width; ++x) {
                 const CameraSample start = sample_camera(scene.camera, x, y, settings.seed, settings.pass);

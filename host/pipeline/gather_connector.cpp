@@ -1,9 +1,8 @@
 #include "pipeline/gather_connector.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 
+#include "parallel/parallel_for.hpp"
 #include "pipeline/memory_estimate.hpp"
 
 namespace tyndall {
@@ -37,7 +36,7 @@ std::vector<std::vector<std::uint32_t>> GatherConnector::near(std::span<const Ey
 {
     std::vector<std::vector<std::uint32_t>> lists((eyes.size() + eye_alignment - 1) / eye_alignment);
     visibility.in_arena([&] {
-        tbb::parallel_for(std::size_t(0), lists.size(), [&](std::size_t g) {
+        parallel_for(std::size_t(0), lists.size(), [&](std::size_t g) {
             std::vector<std::uint32_t>& list = lists[g];
             for (std::size_t i = g * eye_alignment; i < std::min<std::size_t>((g + 1) * eye_alignment, eyes.size()); ++i) find_near(search_, eyes[i], list);
             std::sort(list.begin(), list.end());

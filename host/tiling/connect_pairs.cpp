@@ -1,13 +1,12 @@
 #include "tiling/connect_pairs.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <limits>
 
 #include "kernels/shared/host_features.hpp"
+#include "parallel/parallel_for.hpp"
 
 namespace tyndall {
 namespace {
@@ -53,7 +52,7 @@ std::uint64_t answer(const Visibility& visibility, const SampledTile& sampled, c
     const std::size_t lanes = static_cast<std::size_t>(settings.lanes), pairs = std::size_t(tile.lights) * settings.samples;
     std::atomic<std::uint64_t> asked{0};
     if (settings.features & feature_bit::nonconvex_media) {
-        tbb::parallel_for(std::size_t(0), sampled.packets.size(), [&](std::size_t p) {
+        parallel_for(std::size_t(0), sampled.packets.size(), [&](std::size_t p) {
             const std::span<const int> media(eyes.media.data() + std::size_t(tile.first_group) * lanes + p / pairs * SHADOW_PACKET_SIZE, SHADOW_PACKET_SIZE);
             asked += walk_packet(visibility, sampled, tile, settings, p, media);
         });

@@ -5,9 +5,8 @@
 #include <cstring>
 #include <limits>
 
-#include <tbb/parallel_for.h>
-
 #include "kernels/shared/records.hpp"
+#include "parallel/parallel_for.hpp"
 #include "visibility/embree_scene.hpp"
 
 namespace tyndall {
@@ -91,10 +90,7 @@ void Visibility::occluded(std::span<ShadowPacket> packets) const
 {
     constexpr std::size_t grain = 64;  // packets: a few microseconds of tracing, a task's overhead disappears in it
     if (packets.size() <= grain || state_->arena.max_concurrency() == 1) return answer_all(*state_, packets);
-    state_->arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, packets.size(), grain),
-                          [&](const auto& range) { answer_all(*state_, packets.subspan(range.begin(), range.size())); });
-    });
+    run_in(state_->arena, [&] { parallel_pieces(packets.size(), grain, [&](std::size_t first, std::size_t count) { answer_all(*state_, packets.subspan(first, count)); }); });
 }
 
 }  // namespace tyndall

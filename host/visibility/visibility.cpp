@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "parallel/parallel_for.hpp"
 #include "visibility/embree_scene.hpp"
 #include "visibility/exact_hit.hpp"
 #include "volumes/medium_line.hpp"
@@ -185,7 +186,7 @@ Rgb Visibility::optical_depth(const Vec3& from, int medium, const Vec3& to) cons
     return depth;
 }
 
-void Visibility::in_arena(const std::function<void()>& work) const { state_->arena.execute(work); }
+void Visibility::in_arena(const std::function<void()>& work) const { run_in(state_->arena, work); }
 std::uint64_t Visibility::runaway_walks() const { return state_->runaway_walks; }
 std::uint64_t Visibility::invalid_rays() const { return state_->invalid_rays; }
 

@@ -1,4 +1,6 @@
 /// What must not change an image, or change it only within a documented rounding: tiles, threads, lane width, layers that nobody asked for.
+#include <future>
+
 #include "tyndall/error.hpp"
 #include "whole_renderer.hpp"
 
@@ -57,6 +59,13 @@ TEST_P(Sameness, TheNumberOfThreadsChangesNoByte)
         other.threads = threads;
         expect_same_bytes(render_whole(scene, other).film(), original.film());
     }
+}
+
+TEST_P(Sameness, TwoAtOnceGiveTheBytesOfOne)
+{
+    const auto again = [&] { return render_whole(scene, settings); };
+    std::future<WholeRender> two[] = {std::async(std::launch::async, again), std::async(std::launch::async, again)};
+    for (std::future<WholeRender>& render : two) expect_same_bytes(render.get().film(), original.film());
 }
 
 TEST_P(Sameness, RenderingAgainGivesTheSameBytesAndAnotherSeedDoesNot)
