@@ -8,9 +8,6 @@ if(TYNDALL_SANITIZE)
   target_compile_options(tyndall_build INTERFACE -fsanitize=${TYNDALL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(tyndall_build INTERFACE -fsanitize=${TYNDALL_SANITIZE})
 endif()
-if(TYNDALL_FUZZ)
-  target_compile_options(tyndall_build INTERFACE -fsanitize=fuzzer-no-link)
-endif()
 
 # tyndall_part(NAME SOURCES a.cpp b.cpp USES other targets): one folder of host/ as a static library.
 function(tyndall_part name)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fuzzes every reader of foreign bytes: builds the fuzzers with Clang, then runs each for so long.
+# Fuzzes every reader of foreign bytes: builds the fuzzers with Clang (preset asan), then runs each for so long.
 #   bash tests/fuzz/run.sh [seconds for each, 20] [target...]      for example  bash tests/fuzz/run.sh 1800 scene ply
 # New inputs that reach further are kept in build/fuzz/corpus; what breaks a promise lies in build/fuzz/findings. Exit code 1: something was found.
 set -euo pipefail
@@ -9,26 +9,28 @@ shift || true
 targets=("$@")
 [[ ${#targets[@]} -gt 0 ]] || targets=(scene obj ply vol vdb exr picture checkpoint shards numbers)
 fuzz_folder=$repository_root/tests/fuzz
-build_folder=$repository_root/build/fuzz
+build_folder=$repository_root/build/asan
+results=$repository_root/build/fuzz
 
-install_packages "${build_packages[@]}" "${optional_packages[@]}" "${fuzz_packages[@]}"
+install_packages "${build_packages[@]}" "${optional_packages[@]}" "${test_packages[@]}" "${sanitizer_packages[@]}"
 cd "$repository_root"
-(cmake --preset fuzz --log-level=WARNING && cmake --build --preset fuzz) >&2
+(cmake --preset asan --log-level=WARNING && cmake --build --preset asan --target fuzzers) >&2
 
 # fuzz NAME SECONDS SEED: one fuzzer, from the repository's corpus and what earlier runs have found. An input may take 10 s, a fuzzer 2 GB.
 fuzz() {
   local target=$1 options=()
-  local found=$build_folder/corpus/$target
-  mkdir -p "$found" "$build_folder/findings"
+  local found=$results/corpus/$target
+  mkdir -p "$found" "$results/findings"
   [[ -f $fuzz_folder/dictionaries/$target.dict ]] && options+=("-dict=$fuzz_folder/dictionaries/$target.dict")
   [[ $target == vdb ]] && options+=(-detect_leaks=0)
   "$build_folder/tests/fuzz/fuzz_$target" -max_total_time="$2" -seed="$3" -timeout=10 -rss_limit_mb=2048 -max_len=32768 -len_control=20 -print_final_stats=1 \
-    -artifact_prefix="$build_folder/findings/$target-" "${options[@]}" "$found" "$fuzz_folder/corpus/$target"
+    -artifact_prefix="$results/findings/$target-" "${options[@]}" "$found" "$fuzz_folder/corpus/$target"
 }
 
 # run_target NAME: in pieces of 20 s, because OpenVDB leaks. Prints executions, edges of the program's graph that were reached, of how many, and inputs kept.
 run_target() {
-  local target=$1 left=$seconds piece=0 log=$build_folder/$1.log
+  local target=$1 left=$seconds piece=0 log=$results/$1.log
+  mkdir -p "$results"
   : >"$log"
   while ((left > 0)); do
     if ! fuzz "$target" $((left < 20 ? left : 20)) $((++piece)) 2>>"$log"; then
@@ -43,6 +45,15 @@ run_target() {
     /number_of_executed_units/ { runs += $2 } END { printf "%-12s %9d executions, %5d of %d edges, %s inputs kept\n", target, runs, reached, all, kept }' "$log"
 }
 
-failed=0
-for target in "${targets[@]}"; do run_target "$target" || failed=1; done
+# As many at a time as there are processors.
+failed=0 running=0
+for target in "${targets[@]}"; do
+  if ((running == $(nproc))); then
+    wait -n || failed=1
+    running=$((running - 1))
+  fi
+  run_target "$target" &
+  running=$((running + 1))
+done
+for (( ; running > 0; --running)); do wait -n || failed=1; done
 exit $failed

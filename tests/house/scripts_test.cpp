@@ -112,7 +112,7 @@ TEST(Scripts, ContinuousIntegrationRunsTheTestsCommand)
 TEST(Scripts, AFailedStageFailsTheRunAndKeepsNoOtherFromRunning)
 {
     const TemporaryFolder folder;
-    for (const char* script : {"build", "fuzz/run", "oclgrind", "rusticl", "run"})
+    for (const char* script : {"build", "fuzz/run", "sanitize", "oclgrind", "rusticl", "run"})
         folder.write("tests/" + std::string(script) + ".sh", "echo \"$(basename $0) $*\"; [[ $0 != *rusticl* ]]\n");
     folder.write(".ci/run", read(root / ".ci/run"));
     const std::string ci = "bash " + quoted(folder.path() / ".ci/run");
