@@ -55,7 +55,8 @@ tyndall_status tyndall_set_textures(tyndall_description* description, int bsdf, 
         };
         api::Bsdf& of = added(data(description).bsdfs, bsdf, "bsdf");
         const auto first = wanted(reflectance), second = wanted(transmittance);
-        of.reflectance_texture = first, of.transmittance_texture = second;
+        const bool plastic = of.type == api::Bsdf::Type::plastic || of.type == api::Bsdf::Type::rough_plastic;
+        (plastic ? of.below_texture : of.reflectance_texture) = first, of.transmittance_texture = second;
     });
 }
 

@@ -96,6 +96,15 @@ tyndall_status tyndall_add_conductor(tyndall_description* description, const dou
     });
 }
 
+tyndall_status tyndall_add_plastic(tyndall_description* description, const double* below, double eta, double alpha, int two_sided, int* index)
+{
+    return guarded([&] {
+        api::Bsdf bsdf{.type = alpha == 0 ? api::Bsdf::Type::plastic : api::Bsdf::Type::rough_plastic, .reflectance = {1, 1, 1}, .eta = eta, .two_sided = two_sided != 0, .below = triple(below, "below")};
+        if (alpha != 0) bsdf.alpha = alpha;
+        add(data(description).bsdfs, std::move(bsdf), index);
+    });
+}
+
 tyndall_status tyndall_add_mesh(tyndall_description* description, const double* vertices, size_t vertex_count, const uint32_t* triangles, size_t triangle_count, int bsdf, int interior,
                                 int exterior, const double* radiance, int* index)
 {

@@ -40,8 +40,9 @@ private:
     void one(const api::Medium& m) { const auto& [name, sigma_t, albedo, phase, density] = m; all(name, sigma_t, albedo, phase, density); }
     void one(const api::Bsdf& b)
     {
-        const auto& [name, type, reflectance, transmittance, eta, conductor_eta, conductor_k, alpha, ggx, two_sided, reflectance_texture, transmittance_texture] = b;
-        all(name, type, reflectance, transmittance, eta, conductor_eta, conductor_k, alpha, ggx, two_sided, reflectance_texture, transmittance_texture);
+        const auto& [name, type, reflectance, transmittance, eta, conductor_eta, conductor_k, alpha, ggx, two_sided, reflectance_texture, transmittance_texture, below,
+                     below_texture, nonlinear] = b;
+        all(name, type, reflectance, transmittance, eta, conductor_eta, conductor_k, alpha, ggx, two_sided, reflectance_texture, transmittance_texture, below, below_texture, nonlinear);
     }
     void one(const api::Mesh& m)
     {

@@ -10,6 +10,7 @@
 #include "library/pictures_from_description.hpp"
 #include "scene/mesh_geometry.hpp"
 #include "scene/phases.hpp"
+#include "scene/plastic.hpp"
 #include "scene/render_space.hpp"
 #include "scene/scene_warnings.hpp"
 #include "scene/transforms.hpp"
@@ -57,8 +58,18 @@ Bsdf::Type type_of(api::Bsdf::Type type)
         case From::thin_dielectric: return Bsdf::Type::thin_dielectric;
         case From::rough_dielectric: return Bsdf::Type::rough_dielectric;
         case From::rough_conductor: return Bsdf::Type::rough_conductor;
+        case From::plastic: return Bsdf::Type::plastic;
+        case From::rough_plastic: return Bsdf::Type::rough_plastic;
     }
     throw SceneError("a bsdf of an unknown type");
+}
+
+/// The index of a texture, whose largest values take the place of `colour`; none if there is none.
+int textured(const char* what, std::optional<int> index, Rgb& colour, const Place& place, const Scene& scene)
+{
+    if (!index) return none;
+    colour = scene.textures[static_cast<std::size_t>(place.index(what, *index, scene.textures.size(), 0))].largest;
+    return *index;
 }
 
 void add_bsdf(const api::Bsdf& from, const Place& place, Scene& scene)
@@ -68,19 +79,20 @@ void add_bsdf(const api::Bsdf& from, const Place& place, Scene& scene)
     const bool glass = bsdf.type == Type::dielectric || bsdf.type == Type::thin_dielectric || bsdf.type == Type::rough_dielectric;
     bsdf.reflectance = bsdf.type == Type::null ? Rgb(0) : place.colour("reflectance", from.reflectance, 1);
     bsdf.specular_transmittance = place.colour("transmittance", from.transmittance, 1);
-    if (glass) bsdf.eta = place.number("eta", from.eta, .01, 100, true);  // no material comes near these ends
-    place.require(bsdf.type != Type::rough_dielectric || std::abs(bsdf.eta - 1) >= 1e-6, "eta = 1 makes no boundary; use the type null, or dielectric");
+    const bool plastic = bsdf.type == Type::plastic || bsdf.type == Type::rough_plastic;
+    if (glass || plastic) bsdf.eta = place.number("eta", from.eta, .01, 100, true);  // no material comes near these ends
+    place.require((bsdf.type != Type::rough_dielectric && !plastic) || std::abs(bsdf.eta - 1) >= 1e-6, "eta = 1 makes no boundary; use the type null, or dielectric");
     bsdf.conductor_eta = place.colour("conductor_eta", from.conductor_eta, 1e300), bsdf.conductor_k = place.colour("conductor_k", from.conductor_k, 1e300);
     const double alpha = place.number("alpha", from.alpha, 1e-4, 10);
     bsdf.roughness = {.type = from.ggx ? Roughness::Type::ggx : Roughness::Type::beckmann, .alpha_u = alpha, .alpha_v = alpha};
     bsdf.two_sided = from.two_sided;
-    const auto textured = [&](const char* what, std::optional<int> index, Rgb& colour) {
-        if (!index) return none;
-        colour = scene.textures[static_cast<std::size_t>(place.index(what, *index, scene.textures.size(), 0))].largest;
-        return *index;
-    };
-    if (bsdf.type != Type::null) bsdf.reflectance_texture = textured("reflectance_texture", from.reflectance_texture, bsdf.reflectance);
-    if (glass) bsdf.transmittance_texture = textured("transmittance_texture", from.transmittance_texture, bsdf.specular_transmittance);
+    if (bsdf.type != Type::null) bsdf.reflectance_texture = textured("reflectance_texture", from.reflectance_texture, bsdf.reflectance, place, scene);
+    if (glass) bsdf.transmittance_texture = textured("transmittance_texture", from.transmittance_texture, bsdf.specular_transmittance, place, scene);
+    if (plastic) {
+        bsdf.diffuse = place.colour("below", from.below, 1), bsdf.nonlinear = from.nonlinear;
+        bsdf.diffuse_texture = textured("below_texture", from.below_texture, bsdf.diffuse, place, scene);
+        prepare_plastic(bsdf);
+    }
     place.require(!bsdf.two_sided || (!glass && bsdf.type != Type::null), "only what lets no light through can be two-sided");
     scene.bsdfs.push_back(std::move(bsdf));
 }
@@ -112,7 +124,7 @@ void add_mesh(const api::Mesh& from, const Place& place, Scene& scene)
     shape.interior = place.index("interior", from.interior.value_or(vacuum), scene.media.size(), vacuum);
     shape.exterior = place.index("exterior", from.exterior.value_or(vacuum), scene.media.size(), vacuum);
     const Bsdf& bsdf = scene.bsdfs[static_cast<std::size_t>(shape.bsdf)];
-    if (shape.mesh.uvs.empty() && (bsdf.reflectance_texture != none || bsdf.transmittance_texture != none))
+    if (shape.mesh.uvs.empty() && (bsdf.reflectance_texture != none || bsdf.transmittance_texture != none || bsdf.diffuse_texture != none))
         scene.warnings.push_back(place.name() + ": has no texture coordinates, so that every triangle shows half of the unit square of its texture; hand over uvs");
     if (from.radiance) {
         place.require(bsdf.type != Bsdf::Type::null, "glows, but its bsdf is null: light cannot leave a surface that is not there");

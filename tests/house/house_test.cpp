@@ -20,4 +20,6 @@ TEST(House, TopOfTheRepositoryIsAsPlanned) { EXPECT_THAT(strangers_at_the_top(ro
 TEST(House, LinksLeadSomewhere) { EXPECT_THAT(dead_links(root), IsEmpty()); }
 TEST(House, PagesAreFound) { EXPECT_THAT(pages_that_nobody_finds(root), IsEmpty()); }
 TEST(House, TestsThatDocumentsNameAreThere) { EXPECT_THAT(tests_that_are_not_there(root), IsEmpty()); }
+TEST(House, EveryElementOfScenesIsDocumented) { EXPECT_THAT(elements_without_a_page(root), IsEmpty()); }
+TEST(House, VersionsAgree) { EXPECT_THAT(versions_that_differ(root), IsEmpty()); }
 TEST(House, ScenesAreReproducedByTheirScripts) { EXPECT_THAT(scenes_not_reproduced(root), IsEmpty()); }

@@ -21,6 +21,23 @@ std::string lines(int count, const std::string& line)
 
 }  // namespace
 
+TEST(PlantedViolation, ElementWithoutAPageIsFound)
+{
+    const TemporaryFolder tree;
+    tree.write("host/docs/scenes.md", "| `fog` | `density` 1, `type` thick or thin |\n");
+    tree.write("host/scene/fog.cpp", "x = properties.real(\"density\", 1);\ny = properties.choice(\"type\", \"thick\", {\"thick\", \"thin\", \"none\"});\nread_colour(builder, properties, \"tint\");\n");
+    EXPECT_THAT(elements_without_a_page(tree.path()), ElementsAre(StartsWith("host/scene/fog.cpp:2: reads \"none\""), StartsWith("host/scene/fog.cpp:3: reads \"tint\"")));
+}
+
+TEST(PlantedViolation, AnotherVersionIsFound)
+{
+    const TemporaryFolder tree;
+    tree.write("CMakeLists.txt", "project(tyndall VERSION 1.2.3 LANGUAGES CXX)\n");
+    tree.write("CITATION.cff", "version: 1.2.3\n");
+    tree.write("host/docs/changelog.md", "# Changelog\n\n## [1.2.2] - 2026\n\n## [1.2.3]\n");
+    EXPECT_THAT(versions_that_differ(tree.path()), ElementsAre(StartsWith("host/docs/changelog.md: is of version \"1.2.2\"")));
+}
+
 TEST(PlantedViolation, IncludeFromFurtherDownIsFound)
 {
     const TemporaryFolder tree;

@@ -43,6 +43,12 @@ Violations pages_that_nobody_finds(const fs::path& root);
 /// Every `Suite.Test` that host/docs/faults.md names is a test.
 Violations tests_that_are_not_there(const fs::path& root);
 
+/// Every type and parameter that the readers of host/scene ask for stands in host/docs/scenes.md.
+Violations elements_without_a_page(const fs::path& root);
+
+/// CITATION.cff and the newest heading of host/docs/changelog.md name the version of CMakeLists.txt.
+Violations versions_that_differ(const fs::path& root);
+
 /// Every folder in scenes/ holds scene.xml and README.md, and its meshes are what its make_geometry.py writes, byte for byte.
 Violations scenes_not_reproduced(const fs::path& root);
 

@@ -54,17 +54,20 @@ struct Texture {
 
 /// What a surface does with light.
 struct Bsdf {
-    enum class Type { null, diffuse, dielectric, conductor, thin_dielectric, rough_dielectric, rough_conductor };
+    enum class Type { null, diffuse, dielectric, conductor, thin_dielectric, rough_dielectric, rough_conductor, plastic, rough_plastic };
     std::string name = "bsdf";
     Type type = Type::diffuse;
-    Triple reflectance{.5, .5, .5};    ///< in [0, 1]; diffuse, and what mirrors and glass reflect (give 1 there)
+    Triple reflectance{.5, .5, .5};    ///< in [0, 1]; diffuse, and what mirrors, glass and the boundary of plastics reflect (give 1 there)
     Triple transmittance{1, 1, 1};     ///< in [0, 1]; what glass lets through
-    double eta = 1.5046;               ///< glass: index of refraction inside over outside, in (.01, 100)
+    double eta = 1.5046;               ///< glass and plastics: index of refraction inside over outside, in (.01, 100)
     Triple conductor_eta{0, 0, 0}, conductor_k{1, 1, 1};  ///< metals; the default is a perfect mirror
     double alpha = .1;                 ///< rough ones: root mean square slope times sqrt(2), in [1e-4, 10]
     bool ggx = false;                  ///< rough ones: GGX in place of Beckmann
-    bool two_sided = false;            ///< diffuse and metals: the back behaves as the front
+    bool two_sided = false;            ///< diffuse, metals and plastics: the back behaves as the front
     std::optional<int> reflectance_texture{}, transmittance_texture{};  ///< in place of those colours, by index into SceneDescription::textures
+    Triple below{.5, .5, .5};          ///< plastics: what lies below the boundary reflects, in [0, 1]
+    std::optional<int> below_texture{};
+    bool nonlinear = false;            ///< plastics: light that the boundary throws back inside takes on the colour of `below` again
 };
 
 /// Triangles, counter-clockwise seen from outside.

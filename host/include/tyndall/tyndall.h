@@ -76,6 +76,8 @@ TYNDALL_API tyndall_status tyndall_add_diffuse(tyndall_description* description,
 TYNDALL_API tyndall_status tyndall_add_dielectric(tyndall_description* description, double eta, double alpha, int* index);
 /// Metal; eta and k as r, g, b.
 TYNDALL_API tyndall_status tyndall_add_conductor(tyndall_description* description, const double* eta, const double* k, double alpha, int* index);
+/// Something diffuse (below: r, g, b) under a boundary of dielectric; alpha as for glass.
+TYNDALL_API tyndall_status tyndall_add_plastic(tyndall_description* description, const double* below, double eta, double alpha, int two_sided, int* index);
 /// Triangles, counter-clockwise seen from outside: 3 doubles per vertex, 3 numbers per triangle. interior, exterior: media; radiance: r, g, b, or NULL if it does not glow.
 TYNDALL_API tyndall_status tyndall_add_mesh(tyndall_description* description, const double* vertices, size_t vertex_count, const uint32_t* triangles, size_t triangle_count, int bsdf,
                                             int interior, int exterior, const double* radiance, int* index);
@@ -106,7 +108,7 @@ enum { TYNDALL_REPEAT = 0, TYNDALL_MIRROR = 1, TYNDALL_CLAMP = 2 };
 /// `to_uv`: two rows of three numbers, what (u, v, 1) becomes before it is looked up; NULL: as it was.
 TYNDALL_API tyndall_status tyndall_set_lookup(tyndall_description* description, int texture, int filter, int wrap, const double* to_uv);
 #define TYNDALL_NO_TEXTURE (-1)
-/// Textures in place of what a bsdf reflects and, of glass, lets through.
+/// Textures in place of what a bsdf reflects (of plastics: of what lies below) and, of glass, lets through.
 TYNDALL_API tyndall_status tyndall_set_textures(tyndall_description* description, int bsdf, int reflectance, int transmittance);
 /// u, v for each vertex of a mesh.
 TYNDALL_API tyndall_status tyndall_set_texture_coordinates(tyndall_description* description, int mesh, const double* uvs, size_t count);

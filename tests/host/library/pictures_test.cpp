@@ -95,6 +95,26 @@ TEST(LibraryPictures, FromMemoryAreThoseOfFiles)
     EXPECT_TRUE(api::Scene(pictured_as_data()).warnings().empty());
 }
 
+// The picture lies below the boundary of a plastic.
+TEST(LibraryPictures, PlasticsFromMemoryAreThoseOfFiles)
+{
+    const TemporaryFolder folder;
+    api::SceneDescription scene = pictured_as_data();
+    std::string text = pictured_as_text(folder.path());
+    text = replaced(replaced(text, "<bsdf type=\"diffuse\">", "<bsdf type=\"roughplastic\"><float name=\"int_ior\" value=\"1.5\"/><float name=\"ext_ior\" value=\"1\"/><float name=\"alpha\" value=\".2\"/>"),
+                    "<texture name=\"reflectance\"", "<boolean name=\"nonlinear\" value=\"true\"/><texture name=\"diffuse_reflectance\"");
+    scene.bsdfs[1] = {.name = "plate", .type = api::Bsdf::Type::rough_plastic, .reflectance = {1, 1, 1}, .eta = 1.5, .alpha = .2, .two_sided = true, .below_texture = 0, .nonlinear = true};
+    const api::Image memory = api::render(api::Scene(scene), by_paths());
+    const api::Image from_text = api::render(api::Scene::parse(text, folder.path(), "fog.xml"), by_paths());
+    const auto got = memory.beauty(), wanted = from_text.beauty();
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < got.size(); ++i) different += !(std::abs(got[i] - wanted[i]) <= 1e-3f * wanted[i] + 1e-6f);
+    EXPECT_LE(different, 6u) << "of " << got.size();
+    scene.bsdfs[1].nonlinear = false;
+    const api::Image linear = api::render(api::Scene(scene), by_paths());
+    EXPECT_FALSE(std::equal(got.begin(), got.end(), linear.beauty().begin()));
+}
+
 TEST(LibraryPictures, EachPartOfThemMatters)
 {
     const auto image = [](const api::SceneDescription& scene) {
@@ -211,6 +231,10 @@ TEST(CPictures, AreRefusedByName)
     EXPECT_EQ(tyndall_set_normals(made, 0, one, 1), TYNDALL_USAGE_ERROR);
     EXPECT_EQ(tyndall_set_rayleigh(made, 0), TYNDALL_USAGE_ERROR);
     EXPECT_EQ(tyndall_add_environment(made, 2, 2, nullptr, one, nullptr, nullptr), TYNDALL_USAGE_ERROR);
+    int plastic = -1;
+    OK(tyndall_add_plastic(made, one, 1.5, .1, 1, &plastic));
+    OK(tyndall_set_textures(made, plastic, 0, TYNDALL_NO_TEXTURE));
+    EXPECT_EQ(tyndall_add_plastic(made, nullptr, 1.5, .1, 1, nullptr), TYNDALL_USAGE_ERROR);
     EXPECT_EQ(tyndall_set_max_depth(nullptr, 3), TYNDALL_USAGE_ERROR);
 }
 
@@ -250,6 +274,8 @@ const Fault faults[] = {
     {"ToUv", [](D& s) { s.textures[0].to_uv[5] = nan; }, "a number of to_uv"},
     {"TextureOfBsdf", [](D& s) { s.bsdfs[1].reflectance_texture = 1; }, "bsdf 1 \"plate\": reflectance_texture = 1"},
     {"TextureOfGlass", [](D& s) { s.bsdfs[1] = {.type = api::Bsdf::Type::dielectric, .transmittance_texture = -1}; }, "transmittance_texture = -1"},
+    {"PlasticWithoutBoundary", [](D& s) { s.bsdfs[1] = {.type = api::Bsdf::Type::plastic, .eta = 1}; }, "makes no boundary"},
+    {"BelowPlastic", [](D& s) { s.bsdfs[1] = {.type = api::Bsdf::Type::plastic, .below = {0, 2, 0}}; }, "below = 2"},
     {"Coordinates", [](D& s) { s.meshes[1].uvs.pop_back(); }, "3 texture coordinates for 4 vertices"},
     {"CoordinateNan", [](D& s) { s.meshes[1].uvs[0][1] = nan; }, "a texture coordinate"},
     {"MapSize", [](D& s) { s.environment_maps[0].height = 1; }, "environment map 0 \"environment map\": a map of 8 x 1 pixels"},
