@@ -7,16 +7,19 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
 sanitizer=${1:-}
 shift || true
-# Programs that are not built; and statistics that run the same lines thousands of times, longer than all else together.
-left_out='_NOT_BUILT$|^(CInterface|Page|Package|farm)\.|^ErrorUpperBound\.Holds|^TargetError\.IsNotReachedByLuck|^MediumLine\.DepthIsTheIntegral|SamplesFollow'
+# Programs that are not built; and what runs the same lines thousands of times, longer than all else together: statistics, the sweep over every OpenCL call.
+left_out='_NOT_BUILT$|^(CInterface|Page|Package|farm)\.|^ErrorUpperBound\.Holds|^TargetError\.IsNotReachedByLuck|^MediumLine\.DepthIsTheIntegral|SamplesFollow|EveryCall\.'
+chosen=()
 case $sanitizer in
   asan)
     # Every program of tests whose own process reads, writes, traces and calls devices. Left out: whole renders that are compared with others (pipeline, images), mathematics (which the fast build tests),
     # and what runs the program tyndall or a browser.
     programs=(scene_test openvdb_test no_openvdb_test shipped_scenes_test fuzz_corpus_test test_film test_report test_cli_parts test_support test_metrics
-              test_visibility test_volumes test_transport device_list_test planted_errors) ;;
+              test_visibility test_volumes test_transport device_list_test test_faults planted_errors) ;;
   tsan)
-    programs=(test_faults planted_errors) ;;
+    # What renders with several threads, several devices, twice at once.
+    programs=(test_threads test_faults planted_errors)
+    chosen=(--tests-regex 'Sameness|ForAnyThreads|NumberOfThreads|SeveralDevices|TheOtherDevice|^PlantedError') ;;
   *) say "say which: bash tests/sanitize.sh asan, or tsan"; exit 2 ;;
 esac
 install_packages "${build_packages[@]}" "${optional_packages[@]}" "${test_packages[@]}" "${sanitizer_packages[@]}"
@@ -32,4 +35,4 @@ export ASAN_SYMBOLIZER_PATH=$symbolizer TSAN_SYMBOLIZER_PATH=$symbolizer UBSAN_S
 alone=()
 if setarch -R true 2>/dev/null; then alone=(setarch -R); fi  # ThreadSanitizer's memory has fixed places: addresses stay where it expects them
 ("${alone[@]}" cmake --preset "$sanitizer" --log-level=WARNING && "${alone[@]}" cmake --build --preset "$sanitizer" --target "${programs[@]}") >&2
-exec "${alone[@]}" ctest --test-dir "build/$sanitizer" --output-on-failure --label-exclude slow --exclude-regex "$left_out" --parallel "$(nproc)" "$@"
+exec "${alone[@]}" ctest --test-dir "build/$sanitizer" --output-on-failure --label-exclude slow --exclude-regex "$left_out" "${chosen[@]}" --parallel "$(nproc)" "$@"
