@@ -8,7 +8,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
 sanitizer=${1:-}
 shift || true
 # Programs that are not built; and what runs the same lines thousands of times, longer than all else together: statistics, the sweep over every OpenCL call.
-left_out='_NOT_BUILT$|^(CInterface|Page|Package|farm)\.|^ErrorUpperBound\.Holds|^TargetError\.IsNotReachedByLuck|^MediumLine\.DepthIsTheIntegral|SamplesFollow|EveryCall\.'
+left_out='_NOT_BUILT$|^(CInterface|Page|Package|farm|House)\.|^ErrorUpperBound\.Holds|^TargetError\.IsNotReachedByLuck|^MediumLine\.DepthIsTheIntegral|SamplesFollow|EveryCall\.'
 chosen=()
 case $sanitizer in
   asan)

@@ -16,14 +16,15 @@ install_packages "${build_packages[@]}" "${optional_packages[@]}" "${test_packag
 cd "$repository_root"
 (cmake --preset asan --log-level=WARNING && cmake --build --preset asan --target fuzzers) >&2
 
-# fuzz NAME SECONDS SEED: one fuzzer, from the repository's corpus and what earlier runs have found. An input may take 10 s, a fuzzer 2 GB.
+# fuzz NAME SECONDS SEED: one fuzzer, from the repository's corpus and what earlier runs have found. A fuzzer may take 2 GB, an input a minute: the largest grid that is read takes six seconds
+# of a processor, which may have other work.
 fuzz() {
   local target=$1 options=()
   local found=$results/corpus/$target
   mkdir -p "$found" "$results/findings"
   [[ -f $fuzz_folder/dictionaries/$target.dict ]] && options+=("-dict=$fuzz_folder/dictionaries/$target.dict")
   [[ $target == vdb ]] && options+=(-detect_leaks=0)
-  "$build_folder/tests/fuzz/fuzz_$target" -max_total_time="$2" -seed="$3" -timeout=10 -rss_limit_mb=2048 -max_len=32768 -len_control=20 -print_final_stats=1 \
+  "$build_folder/tests/fuzz/fuzz_$target" -max_total_time="$2" -seed="$3" -timeout=60 -rss_limit_mb=2048 -max_len=32768 -len_control=20 -print_final_stats=1 \
     -artifact_prefix="$results/findings/$target-" "${options[@]}" "$found" "$fuzz_folder/corpus/$target"
 }
 
