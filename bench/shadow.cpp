@@ -35,8 +35,8 @@ struct Room {
     PairStage stage;
     std::vector<AlignedPacket> packets;  ///< of the first tiles
 
-    explicit Room(bool bumpy)
-        : scene(shadow_scene(bumpy)),
+    explicit Room(Solids solids)
+        : scene(shadow_scene(solids)),
           visibility(scene, cores),
           robust(scene, true),
           fast(scene, false),
@@ -53,11 +53,11 @@ struct Room {
     std::uint32_t eye_count() const { return static_cast<std::uint32_t>(work.eyes.size()); }
 };
 
-Room& room(bool bumpy)
+Room& room(Solids solids)
 {
-    static std::map<bool, std::unique_ptr<Room>> rooms;
-    auto& found = rooms[bumpy];
-    if (!found) found = std::make_unique<Room>(bumpy);
+    static std::map<Solids, std::unique_ptr<Room>> rooms;
+    auto& found = rooms[solids];
+    if (!found) found = std::make_unique<Room>(solids);
     return *found;
 }
 
@@ -95,9 +95,9 @@ Traced trace_bare(const Room& room, const BareEmbree& embree)
     return trace(room, [&](auto packets) { cores == 1 ? embree.occluded(packets) : embree.occluded_in_parallel(packets); });
 }
 
-void packets_answered(benchmark::State& state, bool bumpy)
+void packets_answered(benchmark::State& state, Solids solids)
 {
-    Room& r = room(bumpy);
+    Room& r = room(solids);
     const double segments = static_cast<double>(r.packets.size()) * SHADOW_PACKET_SIZE;
     for (auto _ : state) {
         std::vector<double> ours, robust, fast;
@@ -118,24 +118,27 @@ void packets_answered(benchmark::State& state, bool bumpy)
     }
 }
 
-void pipeline(benchmark::State& state, bool bumpy)
+void pipeline(benchmark::State& state, Solids solids)
 {
-    Room& r = room(bumpy);
-    const ConnectSettings settings{.features = feature_bit::occluders, .lanes = 16};
+    Room& r = room(solids);
+    const ConnectSettings native{.features = feature_bit::occluders, .lanes = 16};
+    ConnectSettings in_turns = native;
+    in_turns.native_kernels = false;
     ConnectCounts counts;
-    const double segments = static_cast<double>(r.packets.size()) * SHADOW_PACKET_SIZE;
+    const auto connect = [&](const ConnectSettings& settings) {
+        return measured([&] { connect_pairs(r.stage, r.visibility, {r.work.eye_bytes(), r.eye_count(), {}}, {r.work.lights, r.work.light_count}, settings, counts); });
+    };
+    const double segments = static_cast<double>(r.packets.size()) * SHADOW_PACKET_SIZE, pairs = static_cast<double>(r.work.pairs());
     for (auto _ : state) {
-        std::vector<double> ours, bare;
+        std::vector<double> ours, by_host, bare;
         for (int i = 0; i < 5; ++i) {
-            ours.push_back(measured([&] {
-                connect_pairs(r.stage, r.visibility, {r.work.eye_bytes(), r.eye_count(), {}}, {r.work.lights, r.work.light_count}, settings,
-                              counts);
-            }));
+            ours.push_back(connect(native)), by_host.push_back(connect(in_turns));
             bare.push_back(trace_bare(r, r.robust).seconds);
         }
-        const double pairs = static_cast<double>(r.work.pairs());
         state.SetIterationTime(median(ours));
         state.counters["pairs_per_second"] = pairs / median(ours);
+        state.counters["host_thread_pairs_per_second"] = pairs / median(by_host);
+        state.counters["ratio_to_host_thread"] = median(by_host) / median(ours);
         state.counters["embree_robust_per_second"] = segments / median(bare);
         state.counters["ratio_to_robust"] = pairs / median(ours) / (segments / median(bare));
     }
@@ -166,10 +169,10 @@ int main(int argc, char** argv)
     const tbb::global_control threads(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(cores));
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    for (const bool bumpy : {false, true}) {
-        const std::string where = "/triangles:" + std::to_string(triangle_count(shadow_scene(bumpy))) + "/cores:" + std::to_string(cores);
+    for (const Solids solids : {Solids::room_of_tetrahedra, Solids::one_ball, Solids::room_of_balls}) {
+        const std::string where = "/triangles:" + std::to_string(triangle_count(shadow_scene(solids))) + "/cores:" + std::to_string(cores);
         for (const auto& [name, function] : {std::pair("packets", &packets_answered), std::pair("pipeline", &pipeline)})
-            benchmark::RegisterBenchmark((name + where).c_str(), function, bumpy)
+            benchmark::RegisterBenchmark((name + where).c_str(), function, solids)
                 ->UseManualTime()
                 ->Iterations(1)
                 ->Unit(benchmark::kMillisecond);

@@ -40,15 +40,19 @@ void add(Scene& scene, const Mesh& mesh) { scene.shapes.push_back({.name = "soli
 
 }  // namespace
 
-Scene shadow_scene(bool bumpy)
+Scene shadow_scene(Solids solids)
 {
     Scene scene;
     scene.bsdfs.push_back({.type = Bsdf::Type::diffuse});
+    if (solids == Solids::one_ball) {
+        add(scene, bumpy_sphere(Vec3(0), .05, 64));
+        return scene;
+    }
     Mesh room = cube_mesh();
     transform_mesh(room, glm::scale(Mat4(1), Vec3(.575)));
     add(scene, room);
     for (const Vec3& centre : {Vec3(-.16, -.14, .05), Vec3(.15, -.12, -.08), Vec3(-.12, .15, -.04), Vec3(.14, .16, .1)})
-        add(scene, bumpy ? bumpy_sphere(centre, .08, 32) : tetrahedron(centre, .13));
+        add(scene, solids == Solids::room_of_balls ? bumpy_sphere(centre, .08, 32) : tetrahedron(centre, .13));
     return scene;
 }
 

@@ -21,6 +21,8 @@ cl::CommandQueue make_queue(DeviceState& state)
     }
 }
 
+bool runs_native_kernels(const DeviceState& state) { return state.info.is_cpu && (state.device.getInfo<CL_DEVICE_EXECUTION_CAPABILITIES>() & CL_EXEC_NATIVE_KERNEL) != 0; }
+
 cl::CommandQueue adopted_queue(DeviceState& state, void* handle)
 {
     cl::CommandQueue queue(static_cast<cl_command_queue>(handle), true);
@@ -41,6 +43,7 @@ Device::Device(const std::string& request) : state_(std::make_unique<DeviceState
     on_device(*state_, "opening the device", [&] {
         state_->context = cl::Context(state_->device);
         state_->queue = make_queue(*state_);
+        state_->native_kernels = runs_native_kernels(*state_);
     });
 }
 
@@ -54,8 +57,11 @@ Device::Device(const OpenClHandles& handles) : state_(std::make_unique<DeviceSta
         const auto devices = state_->context.getInfo<CL_CONTEXT_DEVICES>();
         if (std::none_of(devices.begin(), devices.end(), [&](const cl::Device& d) { return d() == state_->device(); })) throw UsageError("the caller's OpenCL context does not hold the device given with it");
         state_->queue = handles.queue ? adopted_queue(*state_, handles.queue) : make_queue(*state_);
+        state_->native_kernels = !handles.queue && runs_native_kernels(*state_);  // a caller's queue stays the only one
     });
 }
+
+cl::CommandQueue another_queue(DeviceState& state) { return state.time_stamps ? make_queue(state) : cl::CommandQueue(state.context, state.device); }
 
 Device::~Device() = default;
 Device::Device(Device&&) noexcept = default;

@@ -19,6 +19,7 @@ struct DeviceState {
     cl::Context context;
     cl::CommandQueue queue;  ///< in order, with time stamps where the device has them
     bool time_stamps = true;
+    bool native_kernels = false;  ///< runs functions of the host among its commands, in their address space
     double launch_seconds = .1;  ///< launches aim at less
     std::string dump_folder;     ///< for sources of programs; empty: none
     std::mutex guard;                             ///< of `programs`
@@ -30,6 +31,9 @@ inline bool is_shortage(int code)
 {
     return code == CL_MEM_OBJECT_ALLOCATION_FAILURE || code == CL_OUT_OF_RESOURCES || code == CL_OUT_OF_HOST_MEMORY || code == CL_INVALID_BUFFER_SIZE || code == CL_MAP_FAILURE;
 }
+
+/// In order, with time stamps if the device's first queue has them.
+cl::CommandQueue another_queue(DeviceState& state);
 
 /// Runs `call`; an OpenCL error becomes a DeviceError (a ResourceError if it is a shortage) that says what was being done, on which device, and what to try.
 template <typename Call>
@@ -63,6 +67,7 @@ public:
     cl::Buffer& reserve(DeviceState& state, std::size_t bytes);
     cl::Buffer& upload(DeviceState& state, std::span<const std::byte> bytes);
     cl::Buffer& get() { return buffer_; }
+    const cl::Buffer& get() const { return buffer_; }
     void release() { buffer_ = cl::Buffer(), size_ = 0; }
 
 private:

@@ -102,21 +102,36 @@ void PairStage::gather(const PairTile& tile)
 
 std::uint32_t PairStage::most_sampled(std::uint32_t pairs) const { return state_->budget.knows("sample") ? state_->budget.items("sample", pairs, 1) : pairs; }
 
+void PairStage::State::launch_sample(TileSlot& slot, const cl::CommandQueue& queue, const std::vector<cl::Event>& before)
+{
+    const PairTile& tile = slot.tile;
+    if (tile.groups * lanes() % SHADOW_PACKET_SIZE != 0) throw std::logic_error("a tile with shadow segments holds whole packets of 16 eyes");
+    cl_uint i = set_common(sample, tile);
+    sample.setArg(i++, slot.packets.reserve(device, packet_count(tile) * sizeof(ShadowPacket)));
+    sample.setArg(i++, slot.contributions.reserve(device, contribution_count(tile) * sizeof(float))), sample.setArg(i++, ledger.get());
+    launch(Timed::sample, sample, tile.groups, double(pairs_in(tile)) * lanes(), queue, before);
+}
+
+cl::Event PairStage::State::launch_accumulate(const TileSlot& slot, const cl::CommandQueue& queue, const std::vector<cl::Event>& before)
+{
+    const PairTile& tile = slot.tile;
+    cl_uint i = 0;
+    accumulate.setArg(i++, tile.first_group), accumulate.setArg(i++, tile.groups), accumulate.setArg(i++, tile.first_light * program.samples);
+    accumulate.setArg(i++, pairs_in(tile)), accumulate.setArg(i++, slot.packets.get()), accumulate.setArg(i++, slot.contributions.get());
+    accumulate.setArg(i++, sums.get()), accumulate.setArg(i++, worst.get()), accumulate.setArg(i++, worst_counters.get());
+    return launch(Timed::accumulate, accumulate, tile.groups, double(pairs_in(tile)) * lanes(), queue, before);
+}
+
 void PairStage::sample(int slot, const PairTile& tile)
 {
-    if (tile.groups * state_->lanes() % SHADOW_PACKET_SIZE != 0) throw std::logic_error("a tile with shadow segments holds whole packets of 16 eyes");
     TileSlot& s = state_->slots[static_cast<std::size_t>(slot)];
     s.tile = tile;
-    const std::size_t packet_bytes = state_->packet_count(tile) * sizeof(ShadowPacket), contribution_bytes = state_->contribution_count(tile) * sizeof(float);
-    cl::Buffer &packets = s.packets.reserve(state_->device, packet_bytes), &contributions = s.contributions.reserve(state_->device, contribution_bytes);
     on_device(state_->device, "sampling pairs", [&] {
-        cl_uint i = state_->set_common(state_->sample, tile);
-        state_->sample.setArg(i++, packets), state_->sample.setArg(i++, contributions), state_->sample.setArg(i++, state_->ledger.get());
         state_->harvest(false);
-        state_->launch(Timed::sample, state_->sample, tile.groups, double(state_->pairs_in(tile)) * state_->lanes());
         auto& queue = state_->device.queue;
-        s.mapped_packets = queue.enqueueMapBuffer(packets, CL_FALSE, CL_MAP_READ | CL_MAP_WRITE, 0, packet_bytes);
-        s.mapped_contributions = queue.enqueueMapBuffer(contributions, CL_FALSE, CL_MAP_READ | CL_MAP_WRITE, 0, contribution_bytes, nullptr, &s.ready);
+        state_->launch_sample(s, queue, {});
+        s.mapped_packets = queue.enqueueMapBuffer(s.packets.get(), CL_FALSE, CL_MAP_READ | CL_MAP_WRITE, 0, state_->packet_count(tile) * sizeof(ShadowPacket));
+        s.mapped_contributions = queue.enqueueMapBuffer(s.contributions.get(), CL_FALSE, CL_MAP_READ | CL_MAP_WRITE, 0, state_->contribution_count(tile) * sizeof(float), nullptr, &s.ready);
         queue.flush();
     });
 }
@@ -136,13 +151,7 @@ void PairStage::accumulate(int slot)
         queue.enqueueUnmapMemObject(s.packets.get(), s.mapped_packets);
         queue.enqueueUnmapMemObject(s.contributions.get(), s.mapped_contributions);
         s.mapped_packets = s.mapped_contributions = nullptr;
-        cl::Kernel& kernel = state_->accumulate;
-        cl_uint i = 0;
-        kernel.setArg(i++, s.tile.first_group), kernel.setArg(i++, s.tile.groups), kernel.setArg(i++, s.tile.first_light * state_->program.samples);
-        kernel.setArg(i++, state_->pairs_in(s.tile)), kernel.setArg(i++, s.packets.get()), kernel.setArg(i++, s.contributions.get());
-        kernel.setArg(i++, state_->sums.get()), kernel.setArg(i++, state_->worst.get()), kernel.setArg(i++, state_->worst_counters.get());
-        state_->launch(Timed::accumulate, kernel, s.tile.groups, double(state_->pairs_in(s.tile)) * state_->lanes());
-        queue.flush();
+        state_->launch_accumulate(s, queue, {});
     });
 }
 
@@ -194,6 +203,7 @@ void PairStage::recover()
         } catch (const cl::Error&) {  // the device has said already what is wrong
         }
     };
+    drop_chain();
     for (TileSlot& slot : s.slots) {
         if (slot.mapped_packets) whatever_comes([&] { s.device.queue.enqueueUnmapMemObject(slot.packets.get(), slot.mapped_packets); });
         if (slot.mapped_contributions) whatever_comes([&] { s.device.queue.enqueueUnmapMemObject(slot.contributions.get(), slot.mapped_contributions); });

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -61,6 +62,9 @@ struct SampledTile {
     std::span<ShadowPacket> packets;
     std::span<float> contributions;
 };
+
+/// What the host does with a sampled tile: sets tfar of blocked lanes to -infinity, or multiplies contributions.
+using TileWork = std::function<void(const SampledTile&)>;
 
 struct PairLedger {
     std::uint32_t not_finite = 0, first_eye = 0, first_counter = 0;
@@ -149,6 +153,16 @@ public:
     void sample(int slot, const PairTile& tile);
     SampledTile sampled(int slot);
     void accumulate(int slot);
+
+    /// Whether the device's threads run functions of the host between kernels: then `chain` does all three steps.
+    bool runs_native_kernels() const;
+    /// Samples a tile, has `work` done by one of the device's threads, adds what is left; tiles are added in the order of the calls while two of them are at work. Waits only while several are on their way.
+    /// What a tile's `work` throws is thrown by a later call or by end_chain; the sums then mean nothing.
+    void chain(const PairTile& tile, TileWork work);
+    /// Until all chained tiles are added.
+    void end_chain();
+    /// The same when something has been thrown: nothing of the caller's is used any more.
+    void drop_chain() noexcept;
 
     /// Until everything that was started is done.
     void wait();

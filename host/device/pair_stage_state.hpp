@@ -9,6 +9,7 @@
 #include "device/device_state.hpp"
 #include "device/kernel_source.hpp"
 #include "device/launch_budget.hpp"
+#include "device/native_chain.hpp"
 #include "device/pair_stage.hpp"
 #include "kernels/shared/host_features.hpp"
 
@@ -62,6 +63,7 @@ struct PairStage::State {
     std::array<TileSlot, 2> slots;
     std::uint32_t eye_count = 0, light_count = 0, slot_count = 0, vertex_limit = 0, container_count = 0;
     std::deque<Launched> launched;
+    std::unique_ptr<NativeChain> chain;  ///< from the first tile that is chained
     WorstPair worst_pair;      ///< of the set whose sums were taken last
     PairLedger ledger_so_far;  ///< of the sets of eyes and lights whose sums were taken
     LaunchBudget budget{device.launch_seconds};
@@ -156,16 +158,24 @@ struct PairStage::State {
         return names[static_cast<std::size_t>(what)];
     }
 
-    void launch(Timed what, cl::Kernel& kernel, std::uint32_t groups, double work_per_group = 1)
+    void launch(Timed what, cl::Kernel& kernel, std::uint32_t groups, double work_per_group = 1) { launch(what, kernel, groups, work_per_group, device.queue, {}); }
+
+    /// In one of the device's queues, when `before` has happened.
+    cl::Event launch(Timed what, cl::Kernel& kernel, std::uint32_t groups, double work_per_group, const cl::CommandQueue& queue, const std::vector<cl::Event>& before)
     {
         const std::uint32_t few = what == Timed::gather || groups >= 256 ? 8 : 1;  // some drivers compile a kernel again for every local size
         const std::uint32_t local = local_size(device, kernel, device.info.is_cpu ? few : 64);  // two warps of a GPU
         cl::Event event;
         const auto now = std::chrono::steady_clock::now();
-        device.queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(work_items(groups, local)), cl::NDRange(local), nullptr, &event);
+        queue.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(work_items(groups, local)), cl::NDRange(local), before.empty() ? nullptr : &before, &event);
+        queue.flush();
         ++timings.launches;
         launched.push_back({what, groups * work_per_group, event, now});
+        return event;
     }
+
+    void launch_sample(TileSlot& slot, const cl::CommandQueue& queue, const std::vector<cl::Event>& before);
+    cl::Event launch_accumulate(const TileSlot& slot, const cl::CommandQueue& queue, const std::vector<cl::Event>& before);
 
     /// By the device's clock; by the one on the wall, waiting included, where it has none and somebody waited for the launch.
     void count(const Launched& l, double seconds)

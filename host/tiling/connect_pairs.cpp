@@ -46,22 +46,82 @@ std::uint64_t walk_packet(const Visibility& visibility, const SampledTile& sampl
     return asked;
 }
 
-/// Answers a tile's shadow segments; returns how many were asked.
-std::uint64_t answer(const Visibility& visibility, const SampledTile& sampled, const PairTile& tile, const EyeBatch& eyes, const ConnectSettings& settings)
+/// Answers a tile's shadow segments, on the calling thread `alone` or on all; returns how many were asked.
+std::uint64_t answer(const Visibility& visibility, const SampledTile& sampled, const PairTile& tile, const EyeBatch& eyes, const ConnectSettings& settings, bool alone)
 {
     const std::size_t lanes = static_cast<std::size_t>(settings.lanes), pairs = std::size_t(tile.lights) * settings.samples;
     std::atomic<std::uint64_t> asked{0};
     if (settings.features & feature_bit::nonconvex_media) {
-        parallel_for(std::size_t(0), sampled.packets.size(), [&](std::size_t p) {
+        const auto walk = [&](std::size_t p) {
             const std::span<const int> media(eyes.media.data() + std::size_t(tile.first_group) * lanes + p / pairs * SHADOW_PACKET_SIZE, SHADOW_PACKET_SIZE);
             asked += walk_packet(visibility, sampled, tile, settings, p, media);
-        });
+        };
+        if (!alone) parallel_for(std::size_t(0), sampled.packets.size(), walk);
+        else for (std::size_t p = 0; p < sampled.packets.size(); ++p) walk(p);
         return asked;
     }
     for (const ShadowPacket& packet : sampled.packets)
         asked += static_cast<std::uint64_t>(std::count_if(std::begin(packet.tfar), std::end(packet.tfar), [](float t) { return t >= 0; }));
-    visibility.occluded(sampled.packets);
+    alone ? visibility.occluded_here(sampled.packets) : visibility.occluded(sampled.packets);
     return asked;
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
+
+/// The host answers a tile's shadow segments while the device samples the next.
+void connect_in_turns(PairStage& stage, const ShadowAnswer& shadows, std::span<const PairTile> tiles, const StopFlag* stop, ConnectCounts& counts)
+{
+    if (!tiles.empty()) stage.sample(0, tiles[0]);
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        throw_if_raised(stop);
+        const int slot = static_cast<int>(i % 2);
+        if (i + 1 < tiles.size()) stage.sample(1 - slot, tiles[i + 1]);
+        const SampledTile sampled = stage.sampled(slot);
+        const auto start = std::chrono::steady_clock::now();
+        counts.shadow_segments += shadows(sampled, tiles[i]);
+        counts.visibility_seconds += seconds_since(start);
+        stage.accumulate(slot);
+    }
+}
+
+/// The device's own threads do everything, two tiles at a time.
+void connect_chained(PairStage& stage, const ShadowAnswer& shadows, std::span<const PairTile> tiles, const StopFlag* stop, ConnectCounts& counts)
+{
+    struct Guard {
+        PairStage& stage;
+        ~Guard() { stage.drop_chain(); }
+    };
+    std::atomic<std::uint64_t> asked{0};
+    std::atomic<double> seconds{0};
+    const Guard guard{stage};  // before what the tiles' work uses goes away
+    for (const PairTile& tile : tiles) {
+        throw_if_raised(stop);
+        stage.chain(tile, [&shadows, &asked, &seconds, stop, tile](const SampledTile& sampled) {
+            throw_if_raised(stop);
+            const auto start = std::chrono::steady_clock::now();
+            asked += shadows(sampled, tile);
+            seconds += seconds_since(start);
+        });
+    }
+    stage.end_chain();
+    counts.shadow_segments += asked, counts.visibility_seconds += seconds;
+}
+
+/// chained: `shadows` may be called by several threads, at once.
+std::vector<double> connect(PairStage& stage, const ShadowAnswer& shadows, bool chained, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings, ConnectCounts& counts,
+                            const LightSelection* selection)
+{
+    stage.begin(eyes.records, eyes.count, lights.records, settings.vertex_limit, lights.weights);
+    if (selection) stage.select(*selection);
+    const std::uint32_t slots = selection && lights.count > 0 ? selection->slots : lights.count;
+    const bool fused = (settings.features & feature_bit::occluders) == 0;
+    const std::uint32_t wanted = std::max(settings.tile_pairs ? settings.tile_pairs : fused ? fused_pairs : chained ? chained_pairs : shadowed_pairs, 1u);
+    const std::vector<PairTile> tiles = tiles_of(stage.groups(), slots, fused ? wanted : stage.most_sampled(wanted), settings);
+    counts.pairs += std::uint64_t(eyes.count) * slots * settings.samples;
+    if (fused)
+        for (const PairTile& tile : tiles) throw_if_raised(settings.stop), stage.gather(tile);
+    else (chained ? connect_chained : connect_in_turns)(stage, shadows, tiles, settings.stop, counts);
+    return stage.sums();
 }
 
 }  // namespace
@@ -76,36 +136,15 @@ void scale_contribution(const SampledTile& sampled, const PairTile& tile, const 
 std::vector<double> connect_pairs(PairStage& stage, const Visibility& visibility, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings,
                                   ConnectCounts& counts, const LightSelection* selection)
 {
-    const ShadowAnswer by_embree = [&](const SampledTile& sampled, const PairTile& tile) { return answer(visibility, sampled, tile, eyes, settings); };
-    return connect_pairs(stage, by_embree, eyes, lights, settings, counts, selection);
+    const bool chained = settings.native_kernels && stage.runs_native_kernels();
+    const ShadowAnswer by_embree = [&](const SampledTile& sampled, const PairTile& tile) { return answer(visibility, sampled, tile, eyes, settings, chained); };
+    return connect(stage, by_embree, chained, eyes, lights, settings, counts, selection);
 }
 
 std::vector<double> connect_pairs(PairStage& stage, const ShadowAnswer& shadows, const EyeBatch& eyes, const LightBatch& lights, const ConnectSettings& settings, ConnectCounts& counts,
                                   const LightSelection* selection)
 {
-    stage.begin(eyes.records, eyes.count, lights.records, settings.vertex_limit, lights.weights);
-    if (selection) stage.select(*selection);
-    const std::uint32_t slots = selection && lights.count > 0 ? selection->slots : lights.count;
-    const bool fused = (settings.features & feature_bit::occluders) == 0;
-    const std::uint32_t wanted = std::max(settings.tile_pairs ? settings.tile_pairs : fused ? fused_pairs : shadowed_pairs, 1u);
-    const std::vector<PairTile> tiles = tiles_of(stage.groups(), slots, fused ? wanted : stage.most_sampled(wanted), settings);
-    counts.pairs += std::uint64_t(eyes.count) * slots * settings.samples;
-    if (fused) {
-        for (const PairTile& tile : tiles) throw_if_raised(settings.stop), stage.gather(tile);
-        return stage.sums();
-    }
-    if (!tiles.empty()) stage.sample(0, tiles[0]);
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        throw_if_raised(settings.stop);
-        const int slot = static_cast<int>(i % 2);
-        if (i + 1 < tiles.size()) stage.sample(1 - slot, tiles[i + 1]);
-        const SampledTile sampled = stage.sampled(slot);
-        const auto start = std::chrono::steady_clock::now();
-        counts.shadow_segments += shadows(sampled, tiles[i]);
-        counts.visibility_seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        stage.accumulate(slot);
-    }
-    return stage.sums();
+    return connect(stage, shadows, false, eyes, lights, settings, counts, selection);
 }
 
 }  // namespace tyndall

@@ -1,6 +1,6 @@
 #pragma once
-/// Cuts eyes x lights into tiles and takes each through sampling, visibility and accumulation; while the host answers one tile's shadow segments
-/// the device samples the next.
+/// Cuts eyes x lights into tiles and takes each through sampling, visibility and accumulation. Where the device's threads run functions of the host, they answer shadow segments too, two tiles at a time;
+/// elsewhere the host answers one tile's while the device samples the next.
 #include <algorithm>
 #include <cstdint>
 #include <functional>
@@ -14,6 +14,7 @@
 namespace tyndall {
 
 inline constexpr std::uint32_t shadowed_pairs = 1u << 15;  ///< per tile with shadow segments: packets and contributions stay in a core's cache
+inline constexpr std::uint32_t chained_pairs = 1u << 14;   ///< the same where a tile costs the host no waking up
 
 /// Eyes of a tile of about that many pairs that have shadow segments, where each eye has `lights` of them; its lights lie in one block.
 inline std::uint32_t shadowed_tile_eyes(std::uint32_t pairs, std::uint32_t lights) { return std::max(pairs / std::clamp(lights, 1u, light_block), eye_alignment); }
@@ -36,12 +37,13 @@ struct ConnectSettings {
     std::uint32_t tile_pairs = 0;  ///< 0: default for the pipeline
     int lanes = 1;
     std::uint32_t sums_of_eye = 1;  ///< PairProgram's
+    bool native_kernels = true;      ///< the device's threads answer shadow segments where they can; no bit depends on it
     const StopFlag* stop = nullptr;  ///< raised: Stopped is thrown
 };
 
 struct ConnectCounts {
     std::uint64_t pairs = 0, shadow_segments = 0;
-    double visibility_seconds = 0;
+    double visibility_seconds = 0;  ///< of all threads that answer tiles
 };
 
 /// Answers a tile's shadow segments, in its packets (tfar -infinity: blocked) or by multiplying its contributions; returns how many were asked.

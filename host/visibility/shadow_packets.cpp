@@ -86,6 +86,8 @@ void answer_all(const Visibility::State& state, std::span<ShadowPacket> packets)
 
 }  // namespace
 
+void Visibility::occluded_here(std::span<ShadowPacket> packets) const { answer_all(*state_, packets); }
+
 void Visibility::occluded(std::span<ShadowPacket> packets) const
 {
     constexpr std::size_t grain = 64;  // packets: a few microseconds of tracing, a task's overhead disappears in it

@@ -79,6 +79,8 @@ public:
     /// Sets tfar to -infinity in every lane whose segment is blocked by a surface that is not null; null surfaces are not there.
     /// Lanes with tfar < tnear on entry are left alone. Parallel over packets.
     void occluded(std::span<ShadowPacket> packets) const;
+    /// The same on the calling thread alone, whoever's it is.
+    void occluded_here(std::span<ShadowPacket> packets) const;
 
     /// Runs `work` where TBB's parallel loops use at most the `threads` of the constructor.
     void in_arena(const std::function<void()>& work) const;

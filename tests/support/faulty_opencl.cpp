@@ -220,6 +220,11 @@ MAY_FAIL(clEnqueueFillBuffer,
          (queue, buffer, pattern, size, offset, bytes, waits, wait_list, event))
 MAY_FAIL(clEnqueueUnmapMemObject, (cl_command_queue queue, cl_mem buffer, void* mapped, cl_uint waits, const cl_event* wait_list, cl_event* event),
          (queue, buffer, mapped, waits, wait_list, event))
+MAY_FAIL(clEnqueueMarkerWithWaitList, (cl_command_queue queue, cl_uint waits, const cl_event* wait_list, cl_event* event), (queue, waits, wait_list, event))
+MAY_FAIL(clEnqueueNativeKernel,
+         (cl_command_queue queue, void(CL_CALLBACK* work)(void*), void* arguments, size_t bytes, cl_uint buffers, const cl_mem* list, const void** places, cl_uint waits,
+          const cl_event* wait_list, cl_event* event),
+         (queue, work, arguments, bytes, buffers, list, places, waits, wait_list, event))
 MAY_FAIL(clWaitForEvents, (cl_uint count, const cl_event* events), (count, events))
 MAY_FAIL(clGetEventProfilingInfo, (cl_event event, cl_profiling_info what, size_t size, void* value, size_t* needed), (event, what, size, value, needed))
 MAY_FAIL(clFlush, (cl_command_queue queue), (queue))
