@@ -184,9 +184,13 @@ def main():
     parser.add_argument("--seconds", type=float, default=3)
     parser.add_argument("--rounds", type=int, default=3)
     parser.add_argument("--scenes", default=",".join(SCENES))
+    parser.add_argument("--size", type=int, default=SIZE, help="pixels along each side, a multiple of 8 (96)")
+    parser.add_argument("--layers", default="media_to_media,image")
     parser.add_argument("--json")
     parser.add_argument("--markdown")
     arguments = parser.parse_args()
+    global SIZE
+    SIZE = arguments.size
     import drjit
     import mitsuba
     mitsuba.set_variant("llvm_ad_rgb")
@@ -194,7 +198,7 @@ def main():
     rows = []
     with tempfile.TemporaryDirectory() as folder:
         for name in arguments.scenes.split(","):
-            for layer in ("media_to_media", None):
+            for layer in [None if layer == "image" else layer for layer in arguments.layers.split(",")]:
                 rows.append(measure(arguments, folder, name, layer))
     result = {"mitsuba": mitsuba.__version__, "rounds": arguments.rounds, "seconds": arguments.seconds, "size": SIZE, "rows": rows}
     if arguments.json:

@@ -3,7 +3,7 @@
 #   bash bench/run.sh [OUT]          OUT: bench/results unless given
 #   BUILD=folder bash bench/run.sh   takes the programs of that build folder instead of building
 #   REPETITIONS=3 bash bench/run.sh  quicker; 7 unless given
-#   ONLY="pairs render" ...          renews only these results: pairs transmittance shadow_1_core shadow_2_cores build render variance effects selection scaling cold_start prediction roofline bias
+#   ONLY="pairs render" ...          renews only these results: pairs transmittance shadow_1_core shadow_2_cores build render variance effects selection scaling cold_start prediction roofline bias two_cores
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../host/cmake/install_and_build.sh"
 out=${1:-$repository_root/bench/results}
@@ -77,6 +77,10 @@ if wanted cold_start; then
   say "measuring cold_start"
   python3 -B "$repository_root/bench/cold_start/cold_start.py" "$build/tyndall" --json "$out/effects/cold_start.json"
   python3 -B "$repository_root/bench/cold_start/variants.py" "$build/tyndall" --json "$out/effects/variants.json"
+fi
+if wanted two_cores && [[ $(nproc) -gt 1 ]]; then
+  say "measuring two cores"
+  python3 -B "$repository_root/bench/two_cores.py" "$build/tyndall" "$build/bench/shadow" --json "$out/two_cores.json"
 fi
 if wanted prediction; then
   say "measuring prediction"

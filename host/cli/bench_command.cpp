@@ -38,7 +38,9 @@ int run_bench(const BenchCommand& command)
     request.seconds = command.seconds.value_or(request.seconds);
     std::optional<OneCore> one_core;
     if (request.cores == Cores::one) one_core.emplace();
-    request.default_lanes = kept_lanes(choose_device(request.device));
+    const DeviceInfo device = choose_device(request.device);
+    request.default_lanes = kept_lanes(device);
+    if (command.usual_lanes) request.lanes = usual_widths(device);
     one_core.reset();
     const ThroughputResult result = measure_throughput(request);
     fmt::print("{}", command.json ? to_json(result, version()) : to_table(result));

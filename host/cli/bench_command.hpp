@@ -10,6 +10,7 @@ namespace tyndall {
 
 struct BenchCommand {
     ThroughputRequest request;
+    bool usual_lanes = true;                      ///< usual_widths() of the device in place of request.lanes
     bool json = false;
     bool accuracy = false;                        ///< what every dial is worth, instead of kernel throughput
     std::optional<double> seconds;                ///< of measuring; none: 10 for throughput, 300 for accuracy

@@ -30,12 +30,12 @@ void add_bench_options(CLI::App& app, BenchCommand& command)
     app.add_option_function<std::vector<std::string>>(
            "--lanes",
            [&](const std::vector<std::string>& texts) {
-               command.request.lanes.clear();
+               command.request.lanes.clear(), command.usual_lanes = false;
                for (const auto& text : texts) command.request.lanes.push_back(parse_lanes("--lanes", text));
                std::ranges::sort(command.request.lanes);
                command.request.lanes.erase(std::unique(command.request.lanes.begin(), command.request.lanes.end()), command.request.lanes.end());
            },
-           "lane widths to measure, comma-separated (1,4,8,16)")
+           "lane widths to measure, comma-separated (1,4,8,16 on CPUs, 1,4 elsewhere)")
         ->type_name("NUMBERS")
         ->delimiter(',')
         ->allow_extra_args(false);

@@ -108,6 +108,8 @@ Device opened(const ThroughputRequest& request)
 
 }  // namespace
 
+std::vector<int> usual_widths(const DeviceInfo& device) { return device.is_cpu ? std::vector{1, 4, 8, 16} : std::vector{1, 4}; }
+
 ThroughputResult measure_throughput(const ThroughputRequest& request)
 {
     Device device = opened(request);

@@ -23,6 +23,9 @@ struct ThroughputRequest {
     double seconds = 10;                 ///< of measuring; building comes before
 };
 
+/// The widths to measure where nobody names any: all on CPUs; elsewhere 1 and 4, for wider ones are slower there and their compilers take a minute over them.
+std::vector<int> usual_widths(const DeviceInfo& device);
+
 /// One kernel at one lane width.
 struct KernelRate {
     std::string kernel;

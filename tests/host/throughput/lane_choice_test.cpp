@@ -57,5 +57,14 @@ TEST(LaneChoice, AsksAllWidthsOfEverydayKernels)
     EXPECT_FALSE(request.baseline);
 }
 
+TEST(UsualWidths, LeaveOutWhatOnlyCpusAreFastWith)
+{
+    DeviceInfo device;
+    device.is_cpu = true;
+    EXPECT_THAT(usual_widths(device), testing::ElementsAre(1, 4, 8, 16));
+    device.is_cpu = false;
+    EXPECT_THAT(usual_widths(device), testing::ElementsAre(1, 4));
+}
+
 }  // namespace
 }  // namespace tyndall::test
