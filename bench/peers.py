@@ -179,6 +179,7 @@ def markdown(result):
 
 
 def main():
+    global SIZE
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
     parser.add_argument("--seconds", type=float, default=3)
@@ -189,7 +190,6 @@ def main():
     parser.add_argument("--json")
     parser.add_argument("--markdown")
     arguments = parser.parse_args()
-    global SIZE
     SIZE = arguments.size
     import drjit
     import mitsuba

@@ -41,7 +41,7 @@ public:
         ended_.notify_all();
     }
 
-    /// Waits if it is running, and forgets it. Returns what it threw; a driver that has not run it says nothing of a fault.
+    /// Waits if it is running, and forgets it. Returns what it threw, or that the driver has not run it.
     std::exception_ptr take(std::uint64_t number)
     {
         std::unique_lock lock(guard_);
