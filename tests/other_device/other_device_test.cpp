@@ -87,21 +87,34 @@ TEST_F(OtherDevice, SamplesAndAccumulatesTheSamePairs)
     }
 }
 
+/// Root of the relative mean square of the difference. Both have the same random numbers, so that it is rounding: far below any standard error, z-equal a fortiori.
+double difference(const std::string& a, const std::string& b, const Scene& scene, RenderSettings settings)
+{
+    settings.device = a;
+    const std::vector<Rgb> here = render(scene, settings).film.beauty();
+    settings.device = b;
+    const std::vector<Rgb> there = render(scene, settings).film.beauty();
+    EXPECT_EQ(here.size(), there.size());
+    Rgb squares(0), differences(0);
+    for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i) squares += here[i] * here[i], differences += (here[i] - there[i]) * (here[i] - there[i]);
+    EXPECT_GT(squares.g, 0);
+    return std::sqrt(differences.g / squares.g);
+}
+
+const std::string fog = medium("fog", Rgb(1), Rgb(.8), 0) + container(Vec3(-.5), Vec3(.5), "fog") + point_light({.5, 1, .5}, Rgb(2)) + sensor({.origin = {.3, .6, 3}, .pixels = 16});
+
 TEST_F(OtherDevice, RendersTheSameImage)
 {
-    const Scene scene = scene_of(medium("fog", Rgb(1), Rgb(.8), 0) + container(Vec3(-.5), Vec3(.5), "fog") + point_light({.5, 1, .5}, Rgb(2)) + sensor({.origin = {.3, .6, 3}, .pixels = 16}));
-    for (const int width : lanes) {
-        RenderSettings settings{.passes = 2, .lights = 50, .device = default_device, .lanes = width, .selection = Selection::all, .selftest = false};
-        const std::vector<Rgb> here = render(scene, settings).film.beauty();
-        settings.device = name;
-        const std::vector<Rgb> there = render(scene, settings).film.beauty();
-        ASSERT_EQ(here.size(), there.size());
-        Rgb squares(0), differences(0);
-        for (std::size_t i = 0; i < here.size(); ++i) squares += here[i] * here[i], differences += (here[i] - there[i]) * (here[i] - there[i]);
-        // The same random numbers: far below any standard error, so z-equal a fortiori.
-        EXPECT_GT(squares.g, 0) << width;
-        EXPECT_LT(std::sqrt(differences.g / squares.g), 1e-5) << width;
-    }
+    for (const int width : lanes)
+        EXPECT_LT(difference(default_device, name, scene_of(fog), {.passes = 2, .lights = 50, .lanes = width, .selection = Selection::all, .selftest = false}), 1e-5) << width;
+}
+
+// Shadow segments, surfaces and media, points, beams and photons: the widest lanes alone, so that the programs of all methods are built once.
+TEST_F(OtherDevice, RendersTheSameImageByEveryMethod)
+{
+    const Scene scene = scene_of(fog + horizontal({0, -.8, 0}, 1.5, true, diffuse(Rgb(.5, .25, .75))) + sphere({.1, .1, .1}, .2, diffuse(Rgb(.5))));
+    for (const char* method : {"vrl", "vpl", "vpl-clamped", "vbl", "beams", "photons"})
+        EXPECT_LT(difference(default_device, name, scene, {.method = Method(method), .passes = 1, .lights = 50, .lanes = lanes.back(), .selection = Selection::all, .selftest = false}), 1e-5) << method;
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ protected:
             const std::string faults = "say=1 queries=1 fail_at=" + std::to_string(n) + " error=" + std::to_string(std::array{-5, -36, -4, -14, -6}[static_cast<std::size_t>(runs % 5)]) +
                                        (runs % 3 == 1 ? " late=1" : "") + (runs % 2 == 1 ? " failures=1000000" : "");
             const ProcessResult r = render(faults);
+            ASSERT_EQ(r.signal, 0) << faults << '\n' << r.err;  // 9: it hung, and was killed
             if (r.err.find("faulty OpenCL:") == std::string::npos) break;  // fewer calls than that
             ASSERT_THAT(r.exit_code, testing::AnyOf(0, 4, 5)) << faults << ", signal " << r.signal << '\n' << r.err;
             EXPECT_EQ(file_bytes(folder / "image.exr"), r.exit_code == 0 ? expected : "old") << faults << '\n' << r.err;
