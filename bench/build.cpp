@@ -7,8 +7,8 @@
 #include <string>
 
 #include "bench/measure.hpp"
-#include "throughput/workload.hpp"
 #include "kernels/shared/host_features.hpp"
+#include "throughput/workload.hpp"
 
 namespace tyndall::bench {
 namespace {

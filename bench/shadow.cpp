@@ -11,8 +11,8 @@
 #include "bench/bare_embree.hpp"
 #include "bench/measure.hpp"
 #include "bench/shadow_scene.hpp"
-#include "throughput/workload.hpp"
 #include "kernels/shared/host_features.hpp"
+#include "throughput/workload.hpp"
 #include "tiling/connect_pairs.hpp"
 
 namespace tyndall::bench {

@@ -9,9 +9,9 @@
 #include <string>
 
 #include "bench/measure.hpp"
-#include "throughput/workload.hpp"
 #include "device/device_state.hpp"
 #include "device/kernel_source.hpp"
+#include "throughput/workload.hpp"
 
 namespace tyndall::bench {
 namespace {

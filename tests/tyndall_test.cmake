@@ -15,5 +15,16 @@ function(tyndall_test name)
   if(TYNDALL_SANITIZE)
     target_compile_options(${name} PRIVATE -O0)  # the tests' own sources compile in half of the time; the host's parts, which do the work, keep the preset's level
   endif()
-  gtest_discover_tests(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}" DISCOVERY_TIMEOUT 60)
+  set(counted "")
+  if(TARGET tyndall_program_log AND NOT slow IN_LIST ARG_LABELS)
+    set(counted FIXTURES_REQUIRED programs ENVIRONMENT LD_PRELOAD=${PROJECT_BINARY_DIR}/libtyndall_program_log.so)
+    add_dependencies(${name} tyndall_program_log)
+  endif()
+  gtest_discover_tests(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}" ${counted} DISCOVERY_TIMEOUT 60)
+endfunction()
+
+# tyndall_every_variant(NAME PROGRAM FILTER): a program's tests that share out combinations between them by default, with each combination, as a slow test (tests/support/every_variant.hpp).
+function(tyndall_every_variant name program filter)
+  add_test(NAME ${name} COMMAND ${program} --gtest_filter=${filter})
+  set_tests_properties(${name} PROPERTIES LABELS slow TIMEOUT 1800 ENVIRONMENT EVERY_VARIANT=1)
 endfunction()

@@ -84,7 +84,7 @@ public:
     ExamplesFirst() { column_width(32); }
     std::string make_description(const CLI::App* app) const override
     {
-        const std::string name = app->get_name();
+        const std::string& name = app->get_name();
         const char* shown = name == "render" ? render_examples : name == "compare" ? compare_examples : name == "animate" ? animate_examples : app->get_parent() ? "" : examples;
         return app->get_description() + "\n\n" + shown + (*shown ? "\n" : "");
     }

@@ -13,15 +13,15 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-void add(CLI::App& app, const char* name, const char* type, const std::string& description, std::function<void(const std::string&)> parse)
+void add(CLI::App& app, const char* name, const char* type, const std::string& description, const std::function<void(const std::string&)>& parse)
 {
-    app.add_option_function<std::string>(name, std::move(parse), description)->type_name(type);
+    app.add_option_function<std::string>(name, parse, description)->type_name(type);
 }
 
 /// An option with a list of values, comma-separated.
-void add_list(CLI::App& app, const char* name, const char* type, const std::string& description, std::function<void(const Texts&)> parse)
+void add_list(CLI::App& app, const char* name, const char* type, const std::string& description, const std::function<void(const Texts&)>& parse)
 {
-    app.add_option_function<Texts>(name, std::move(parse), description)->type_name(type)->delimiter(',')->allow_extra_args(false);
+    app.add_option_function<Texts>(name, parse, description)->type_name(type)->delimiter(',')->allow_extra_args(false);
 }
 
 /// A dial whose values come from a table of names.

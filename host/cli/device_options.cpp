@@ -1,6 +1,6 @@
 /// Options of the commands that render nothing.
-#include <algorithm>
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <functional>
 
 #include "cli/parse_values.hpp"
@@ -9,9 +9,9 @@
 namespace tyndall {
 namespace {
 
-CLI::Option* add(CLI::App& app, const char* name, const char* type, const std::string& description, std::function<void(const std::string&)> parse)
+CLI::Option* add(CLI::App& app, const char* name, const char* type, const std::string& description, const std::function<void(const std::string&)>& parse)
 {
-    return app.add_option_function<std::string>(name, std::move(parse), description)->type_name(type);
+    return app.add_option_function<std::string>(name, parse, description)->type_name(type);
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ OutputPaths plan_outputs(const fs::path& scene, const fs::path& output, const fs
 fs::path plan_shard(const fs::path& scene, const fs::path& output, int number, int of)
 {
     const int digits = static_cast<int>(fmt::to_string(of).size());
-    const fs::path file = output.empty() ? fs::path(scene.stem()) += fmt::format(".{:0{}}-of-{}.shard", number, digits, of) : output;
+    fs::path file = output.empty() ? fs::path(scene.stem()) += fmt::format(".{:0{}}-of-{}.shard", number, digits, of) : output;
     if (file.extension() != ".shard") throw UsageError(fmt::format("-o \"{}\": the file of a shard must end in .shard; `tyndall merge` writes the image", output.string()));
     return file;
 }

@@ -1,8 +1,8 @@
 #include "cli/render_options.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
-#include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <functional>
 
@@ -13,9 +13,9 @@ namespace tyndall {
 namespace {
 
 /// An option whose text goes through one of parse_values.hpp's functions; may be given once.
-CLI::Option* add(CLI::App& app, const char* name, const char* type, const std::string& description, std::function<void(const std::string&)> parse)
+CLI::Option* add(CLI::App& app, const char* name, const char* type, const std::string& description, const std::function<void(const std::string&)>& parse)
 {
-    return app.add_option_function<std::string>(name, std::move(parse), description)->type_name(type);
+    return app.add_option_function<std::string>(name, parse, description)->type_name(type);
 }
 
 int integer(const char* option, const std::string& text, int low, int high)

@@ -76,7 +76,7 @@ std::string ViewerSocket::send(std::string_view bytes)
             continue;
         }
         if (sent < 0 && errno == EINTR) continue;
-        const std::string why = sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK) ? wait_to_write() : words(errno);
+        std::string why = sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK) ? wait_to_write() : words(errno);
         if (why.empty()) continue;
         close();
         return why;

@@ -18,10 +18,11 @@ test_packages=(libgtest-dev libgmock-dev librapidcheck-dev python3 python3-numpy
                mkdocs                                       # the documents as a site, host/docs/site.sh
                locales                                      # one with a decimal comma, made by tests/support/comma_locale.hpp
                chromium chromium-driver)                    # the page of `tyndall compare`
-sanitizer_packages=(clang libclang-rt-dev llvm)             # tests/sanitize.sh, tests/fuzz: the runtimes, libFuzzer among them, and names for addresses in llvm
+sanitizer_packages=(clang libclang-rt-dev llvm)             # tests/sanitize.sh, tests/fuzz, tests/coverage.sh: the runtimes, libFuzzer among them, and names for addresses in llvm
 oclgrind_packages=(oclgrind)                                # tests/oclgrind.sh
 rusticl_packages=(mesa-opencl-icd)                          # tests/rusticl.sh
 site_packages=(mkdocs)                                      # host/docs/site.sh
+lint_packages=(clang clang-tidy cppcheck clang-format-16)   # tests/lint.sh
 
 say() { printf 'tyndall: %s\n' "$*" >&2; }
 

@@ -162,7 +162,7 @@ DeviceInfo info_of(const cl::Device& wanted)
     const std::vector<cl::Device> devices = all_devices();
     const auto found = std::find_if(devices.begin(), devices.end(), [&](const cl::Device& d) { return d() == wanted(); });
     if (found == devices.end()) throw NoDeviceError("the caller's OpenCL device is none that the loader lists; a sub-device cannot be used");
-    const DeviceInfo info = describe_device(*found, static_cast<int>(found - devices.begin()));
+    DeviceInfo info = describe_device(*found, static_cast<int>(found - devices.begin()));
     if (!info.usable) throw NoDeviceError(info.platform + ": " + info.name + ": cannot be used: " + info.why_not);
     return info;
 }

@@ -41,6 +41,14 @@ std::vector<KernelBuild> kernel_builds(const PairProgram& program)
     return builds;
 }
 
+std::string kernel_text(const PairProgram& program, const KernelBuild& wanted)
+{
+    const std::string kind = program.eyes == EyeKind::segments || wanted.serves_all() ? "_segments.h" : "_points.h", light = wanted.serves_all() ? PairProgram{}.light : program.light;
+    return flattened_kernel("kernels/stages/" + wanted.file() + ".cl", {{"LIGHT", "kernels/lights/" + light + ".h"},
+                                                                        {"EYE", (program.gathers ? "kernels/stages/near" : "kernels/stages/eye") + kind},
+                                                                        {"STAGE", program.gathers ? "kernels/stages/near_stage.h" : "kernels/stages/pair_stage.h"}});
+}
+
 PairStage::PairStage(Device& device, const PairProgram& program, const MediaTables& tables) : state_(std::make_unique<State>(State{device.state(), program}))
 {
     for (const KernelBuild& wanted : kernel_builds(program)) state_->build(wanted);

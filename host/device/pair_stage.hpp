@@ -117,6 +117,9 @@ struct LightSelection {
 /// grids: also the tables along lights and eye segments.
 std::vector<KernelBuild> kernel_builds(const PairProgram& program);
 
+/// What the device's compiler reads for one of them.
+std::string kernel_text(const PairProgram& program, const KernelBuild& wanted);
+
 class PairStage {
 public:
     /// Compiles (or takes from the driver's cache) the program's kernels: gather only if nothing can occlude, sample and accumulate otherwise.

@@ -79,12 +79,7 @@ struct PairStage::State {
 
     void build(const KernelBuild& wanted)
     {
-        const char* const eye_files[] = {program.gathers ? "near_segments" : "eye_segments", program.gathers ? "near_points" : "eye_points"};
-        const std::string eye = program.eyes == EyeKind::segments || wanted.serves_all() ? eye_files[0] : eye_files[1], light = wanted.serves_all() ? PairProgram{}.light : program.light;
-        const std::string text = flattened_kernel("kernels/stages/" + wanted.file() + ".cl", {{"LIGHT", "kernels/lights/" + light + ".h"},
-                                                                                              {"EYE", "kernels/stages/" + eye + ".h"},
-                                                                                              {"STAGE", program.gathers ? "kernels/stages/near_stage.h" : "kernels/stages/pair_stage.h"}});
-        const cl::Program built = build_program(device, text, wanted.options);
+        const cl::Program built = build_program(device, kernel_text(program, wanted), wanted.options);
         cl::Kernel& kernel = kernel_of(wanted.name);
         kernel = on_device(device, "creating a kernel", [&] { return cl::Kernel(built, wanted.name.c_str()); });
     }

@@ -121,7 +121,7 @@ void check_header(const std::filesystem::path& file, const Imf::InputFile& input
 
 ExrImage empty_image(const Imf::Header& header)
 {
-    const auto data = header.dataWindow(), display = header.displayWindow();
+    const auto &data = header.dataWindow(), &display = header.displayWindow();
     ExrImage image;
     image.x = data.min.x - display.min.x, image.y = data.min.y - display.min.y;
     image.width = data.max.x - data.min.x + 1, image.height = data.max.y - data.min.y + 1;

@@ -2,6 +2,7 @@
 /// What the functions that add to a description share.
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "library/c_guard.hpp"
@@ -17,7 +18,7 @@ inline api::Triple triple(const double* values, const char* what)
 
 /// Adds an element to a list and gives out its number.
 template <typename Element>
-void add(std::vector<Element>& list, Element&& element, int* index)
+void add(std::vector<Element>& list, std::type_identity_t<Element> element, int* index)
 {
     list.push_back(std::move(element));
     if (index) *index = static_cast<int>(list.size()) - 1;

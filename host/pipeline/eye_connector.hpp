@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "eye_tracing/eye_tracing.hpp"
-#include "lights/light_technique.hpp"
 #include "light_tracing/light_tracing.hpp"
+#include "lights/light_technique.hpp"
 #include "pipeline/device_crew.hpp"
 #include "pipeline/light_selection_plan.hpp"
 #include "pipeline/region_lights.hpp"

@@ -48,7 +48,7 @@ PhaseFunction read_blend(SceneBuilder& builder, Properties& properties, const st
         if (std::find(around.begin(), around.end(), phase.object) != around.end())
             refuse(phase.mention->where, fmt::format("{}: a blendphase is inside of itself", properties.title()));
     const PhaseFunction first = read_phase(builder, *inside[0].object, properties.title(), around);
-    const PhaseFunction blend = blend_phase(weight, first, read_phase(builder, *inside[1].object, properties.title(), around));
+    PhaseFunction blend = blend_phase(weight, first, read_phase(builder, *inside[1].object, properties.title(), around));
     if (blend.parts.size() > most_parts)
         refuse(properties.where(), fmt::format("{}: a blendphase of {} parts; the most are {}; write them as one tabphase", properties.title(), blend.parts.size(), most_parts));
     return blend;

@@ -28,14 +28,14 @@ typedef struct {
     uint padding;
 } Medium;
 
-uint hash(uint x)
+static uint hash(uint x)
 {
     x = (x ^ (x >> 16)) * 0x7feb352du;
     x = (x ^ (x >> 15)) * 0x846ca68bu;
     return x ^ (x >> 16);
 }
 
-float phase(float cosine, float g)
+static float phase(float cosine, float g)
 {
     if (!ANISOTROPIC) return 1.0f / (4.0f * M_PI_F);
     float k = 1.0f + g * g - 2.0f * g * cosine;
@@ -44,7 +44,7 @@ float phase(float cosine, float g)
 
 __kernel void scalar_pairs(__global const Eye* eyes, __global const RayLight* lights, uint light_count, __global const Medium* media, __global float* sums)
 {
-    uint pixel = get_global_id(0);
+    uint pixel = (uint)get_global_id(0);
     Eye eye = eyes[pixel];
     Medium medium = media[0];
     float3 o = (float3)(eye.ox, eye.oy, eye.oz), a = (float3)(eye.dx, eye.dy, eye.dz);

@@ -5,7 +5,7 @@
 __kernel void evaluate_cases(uint sampler, __global const float* in, uint count, __global float* out,
                              __global const float* values, __global const PhaseLobeRecord* lobes, __global const GridRecord* grids)
 {
-    uint group = get_global_id(0);
+    uint group = (uint)get_global_id(0);
     if (group >= count / LANES) return;
     Inputs inputs;
     for (uint f = 0; f < 14u; ++f) inputs.in[f] = load_lanes(in + f * count, group);

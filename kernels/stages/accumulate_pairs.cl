@@ -4,7 +4,7 @@
 __kernel void accumulate_pairs(uint first_group, uint groups, uint first_pair, uint pairs, __global const ShadowPacket* packets, __global const float* contributions,
                                __global float* sums, __global float* worst, __global uint* worst_counters)
 {
-    uint local_group = get_global_id(0);
+    uint local_group = (uint)get_global_id(0);
     if (local_group >= groups) return;
     uint packet_row = local_group * LANES / SHADOW_PACKET_SIZE * pairs, offset = local_group * LANES % SHADOW_PACKET_SIZE;
     real3 partial = make_real3(R(0.0), R(0.0), R(0.0)), removed = partial, zero = partial;

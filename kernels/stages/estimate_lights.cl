@@ -29,7 +29,7 @@ PURE real allowed_estimate(Eye eye, Light light, real estimate, uint vertex_limi
 __kernel void estimate_lights(__global const EyeRecord* eyes, uint groups, __global const Light* lights, __global const float* weights, uint first_light, uint count,
                               uint vertex_limit, SURROUNDINGS_PARAMETERS, TABLES_PARAMETERS, __global float* estimates, __global float* powers)
 {
-    uint light_blocks = (count + LIGHT_BLOCK - 1u) / LIGHT_BLOCK, group = get_global_id(0) / light_blocks, first = get_global_id(0) % light_blocks * LIGHT_BLOCK;
+    uint light_blocks = (count + LIGHT_BLOCK - 1u) / LIGHT_BLOCK, item = (uint)get_global_id(0), group = item / light_blocks, first = item % light_blocks * LIGHT_BLOCK;
     if (group >= groups) return;
     Surroundings s = SURROUNDINGS;
     Eye eye = load_eye(eyes, group, s);

@@ -5,8 +5,9 @@ __kernel void gather_lights(__global const EyeRecord* eyes, uint first_group, ui
                             uint samples, uint vertex_limit, SURROUNDINGS_PARAMETERS, TABLES_PARAMETERS, __global const LightChoice* choices, uint slots,
                             __global float* sums, __global uint* ledger, __global float* worst, __global uint* worst_counters)
 {
-    if (get_global_id(0) >= groups) return;
-    uint group = first_group + get_global_id(0);
+    uint local_group = (uint)get_global_id(0);
+    if (local_group >= groups) return;
+    uint group = first_group + local_group;
     Surroundings s = SURROUNDINGS;
     Eye eye = load_eye(eyes, group, s);
     EyeGroup around;

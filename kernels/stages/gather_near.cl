@@ -4,10 +4,11 @@
 PURE NearGroup near_group(Surroundings s, Eye eye, uint group)
 {
     NearGroup around;
+    around.table.stride = EYE_GROUP;
     if (!HETEROGENEOUS) return around;
     uint first = group * LANES / EYE_GROUP * EYE_GROUP;
     around.media = media_of_group(eye.medium_index);
-    around.table.first = s.eye_tables + (size_t)first * TABLE_FLOATS, around.table.stride = EYE_GROUP;
+    around.table.first = s.eye_tables + (size_t)first * TABLE_FLOATS;
     around.table.lane = lane_index(0) + (group * LANES - first);
     around.table.per_length = intervals_per_length(eye_length(eye));
     return around;
@@ -25,8 +26,9 @@ PURE real3 counted_radiance(real3 radiance, uint group, uint number, __global ui
 __kernel void gather_near(__global const EyeRecord* eyes, uint first_group, uint groups, __global const Light* lights, uint vertex_limit, SURROUNDINGS_PARAMETERS, TABLES_PARAMETERS,
                           __global const uint* starts, __global const uint* near_lights, __global float* sums, __global uint* ledger, __global float* worst, __global uint* worst_counters)
 {
-    if (get_global_id(0) >= groups) return;
-    uint group = first_group + get_global_id(0), of_eyes = group * LANES / EYE_GROUP;
+    uint local_group = (uint)get_global_id(0);
+    if (local_group >= groups) return;
+    uint group = first_group + local_group, of_eyes = group * LANES / EYE_GROUP;
     Surroundings s = SURROUNDINGS;
     Eye eye = load_eye(eyes, group, s);
     NearGroup around = near_group(s, eye, group);

@@ -28,7 +28,8 @@ PURE void find_facing_planes(FacingPlanes* facing, Surroundings s, real3 from)
 {
     facing->count = 0;
     if (!BOUNDARIES) return;
-    if (NONCONVEX_MEDIA || LIGHT_ON_SURFACE || s.container_count != 1u) return;
+    if (NONCONVEX_MEDIA || s.container_count != 1u) return;
+    if (LIGHT_ON_SURFACE) return;
     ContainerRecord container = s.containers[0];
     for (uint i = 0; i < container.plane_count; ++i) {
         PlaneRecord plane = s.planes[container.first_plane + i];
@@ -79,7 +80,7 @@ PURE real3 leg_depth(const FacingPlanes* facing, Surroundings s, MediumRecord me
     real3 depth = make_real3(R(0.0), R(0.0), R(0.0));
     if (NONCONVEX_MEDIA) return depth;
     if (!BOUNDARIES || s.container_count == 0u) return piece_depth(s, medium, leg, R(0.0), R(1.0));
-    if (s.container_count == 1u && !LIGHT_ON_SURFACE) return piece_depth(s, medium, leg, enters_container(facing, s, leg.d), R(1.0));
+    if (!LIGHT_ON_SURFACE && s.container_count == 1u) return piece_depth(s, medium, leg, enters_container(facing, s, leg.d), R(1.0));
     for (uint i = 0; i < s.container_count; ++i) {
         ContainerRecord container = s.containers[i];
         ClipInterval inside = chord(s.planes, container, leg.from, leg.d);

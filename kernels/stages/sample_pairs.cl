@@ -6,7 +6,7 @@ __kernel void sample_pairs(__global const EyeRecord* eyes, uint first_group, uin
                             __global ShadowPacket* packets, __global float* contributions,
                            __global uint* ledger)
 {
-    uint local_group = get_global_id(0), pairs = count * samples;
+    uint local_group = (uint)get_global_id(0), pairs = count * samples;
     if (local_group >= groups) return;
     uint group = first_group + local_group;
     Surroundings s = SURROUNDINGS;

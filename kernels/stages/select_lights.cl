@@ -42,7 +42,7 @@ PURE bits fill_ticks(__global const float* estimates, __global const float* powe
 __kernel void weigh_lights(uint groups, uint count, float defence, __global const float* estimates, __global const float* powers, __global uint* ticks,
                            __global uint* totals)
 {
-    uint group = get_global_id(0);
+    uint group = (uint)get_global_id(0);
     if (group >= groups) return;
     size_t first = (size_t)group * count * LANES;
     store_bits(fill_ticks(estimates + first, powers, power_share(powers, count, defence), count, ticks + first), group, totals);
@@ -92,7 +92,7 @@ PURE void choose_for_block(__global const uint* ticks, __global const float* wei
 /// For a region of many squares: the mean share of each light over `eyes` eyes that stand for it. One work-item per POOLED_LIGHTS lights; total starts at 0.
 __kernel void pool_shares(__global const uint* ticks, uint eyes, uint count, __global uint* pooled, __global uint* total)
 {
-    uint first = get_global_id(0) * POOLED_LIGHTS, sum = 0u;
+    uint first = (uint)get_global_id(0) * POOLED_LIGHTS, sum = 0u;
     for (uint i = first; i < min(first + POOLED_LIGHTS, count); ++i) {
         ulong all = 0;
         for (uint eye = 0; eye < eyes; ++eye) all += ticks[((size_t)(eye / LANES) * count + i) * LANES + eye % LANES];

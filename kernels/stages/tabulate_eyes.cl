@@ -3,7 +3,7 @@
 
 __kernel void tabulate_eyes(__global const EyeRecord* eyes, uint groups, SURROUNDINGS_PARAMETERS, __global float* tables)
 {
-    uint group = get_global_id(0);
+    uint group = (uint)get_global_id(0);
     if (group >= groups) return;
     Surroundings s = SURROUNDINGS_WITHOUT_TABLES;
     Eye eye = load_eye(eyes, group, s);

@@ -3,7 +3,7 @@
 
 __kernel void tabulate_lights(__global const Light* lights, uint count, SURROUNDINGS_PARAMETERS, __global float* tables)
 {
-    uint number = get_global_id(0);
+    uint number = (uint)get_global_id(0);
     if (number >= count) return;
     Surroundings s = SURROUNDINGS_WITHOUT_TABLES;
     Light light = lights[number];

@@ -101,7 +101,7 @@ HardRow<Real> row13()
             HardCase<Real> c{"foot inside, D " + std::to_string(D), SAMPLER_ANGLE, {}, {}};
             c.in[0] = Real(D), c.in[2] = Real(.25), c.in[5] = Real(1), c.in[6] = Real(1), c.in[7] = Real(xi);
             c.expected[0] = Interval{Big(0), Big(1)};
-            c.expected[1] = Interval{Big(D < 1e-5 ? pi * (1 - 4 * epsilon<Real>) - Real(1e-5) : Real(3.13)), Big(pi) * (1 + Big(epsilon<Real>))};
+            c.expected[1] = Interval{Big(D < 1e-5 ? -Real(1e-5) + pi * (1 - 4 * epsilon<Real>) : Real(3.13)), Big(pi) * (1 + Big(epsilon<Real>))};
             c.expected[2] = Interval{Big(1), Interval{}.high};
             row.cases.push_back(c);
         }

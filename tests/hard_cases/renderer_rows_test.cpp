@@ -1,9 +1,9 @@
 /// The rows of the hard cases that concern the renderer rather than one formula (host/docs/hard_cases.md).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <algorithm>
 #include <random>
 #include <span>
 

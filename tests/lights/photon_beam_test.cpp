@@ -19,8 +19,8 @@ namespace maths_double {
 }
 namespace {
 
-using plain::Pair;
 using glm::dvec3;
+using plain::Pair;
 
 template <typename Beam>
 Beam beam_of(const Pair& p, double radius)

@@ -169,7 +169,7 @@ TEST_P(EverySampler, DrawsFollowTheDensity)
         const twice::Random2 xi = twice::random2(20120805u, std::uint32_t(i));
         const double x = d.sample(xi.first);
         ASSERT_GE(x, d.low);
-    ASSERT_LE(x, d.high);
+        ASSERT_LE(x, d.high);
         counts[std::min(int((x - d.low) / (d.high - d.low) * cells), cells - 1)] += 1;
     }
     const long double total = integrate(d.shape, d.low, d.high, 1e-14L, 40);

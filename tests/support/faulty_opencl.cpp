@@ -113,26 +113,26 @@ using tyndall::test::verdict_on_query;
 
 #define REAL(name) (reinterpret_cast<decltype(&name)>(dlsym(RTLD_NEXT, #name)))
 /// A function that returns its error code.
-#define MAY_FAIL(name, parameters, arguments)                                   \
-    cl_int name parameters                                                      \
-    {                                                                           \
-        const cl_int code = verdict(#name);                                     \
-        if (code != CL_SUCCESS && !opencl_faults().late) return code;           \
-        return after_all(code, REAL(name) arguments);                           \
+#define MAY_FAIL(name, parameters, arguments)                         \
+    cl_int name parameters                                            \
+    {                                                                 \
+        const cl_int code = verdict(#name);                           \
+        if (code != CL_SUCCESS && !opencl_faults().late) return code; \
+        return after_all(code, REAL(name) arguments);                 \
     }
 /// One that only asks.
-#define MAY_NOT_TELL(name, parameters, arguments)                                          \
-    cl_int name parameters                                                                 \
-    {                                                                                      \
-        if (const cl_int code = verdict_on_query(#name); code != CL_SUCCESS) return code;  \
-        return REAL(name) arguments;                                                       \
+#define MAY_NOT_TELL(name, parameters, arguments)                                         \
+    cl_int name parameters                                                                \
+    {                                                                                     \
+        if (const cl_int code = verdict_on_query(#name); code != CL_SUCCESS) return code; \
+        return REAL(name) arguments;                                                      \
     }
 /// One that returns a handle and stores its error code in `out`.
-#define MAY_GIVE_NOTHING(type, name, parameters, arguments)                                                           \
-    type name parameters                                                                                              \
-    {                                                                                                                 \
-        if (const cl_int code = verdict(#name); code != CL_SUCCESS) return tyndall::test::refused<type>(code, out);   \
-        return REAL(name) arguments;                                                                                  \
+#define MAY_GIVE_NOTHING(type, name, parameters, arguments)                                                         \
+    type name parameters                                                                                            \
+    {                                                                                                               \
+        if (const cl_int code = verdict(#name); code != CL_SUCCESS) return tyndall::test::refused<type>(code, out); \
+        return REAL(name) arguments;                                                                                \
     }
 
 extern "C" {

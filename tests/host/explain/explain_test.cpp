@@ -11,8 +11,8 @@
 #include "pipeline/memory_estimate.hpp"
 #include "pipeline/render.hpp"
 #include "pipeline/savings.hpp"
-#include "support/feature_cover.hpp"
 #include "scene_parts.hpp"
+#include "support/feature_cover.hpp"
 #include "tests/support/feature_cover.hpp"
 
 namespace tyndall::test {

@@ -1,9 +1,9 @@
 // Virtual lights and eye segments in grids: clipped to what there is, dimmed by what lies before.
 #include <cstring>
 
+#include "../transport/statistics.hpp"
 #include "eye_tracing/eye_tracing.hpp"
 #include "grid_scene.hpp"
-#include "../transport/statistics.hpp"
 #include "light_tracing/light_tracing.hpp"
 #include "transport/camera.hpp"
 #include "volumes/medium_line.hpp"
