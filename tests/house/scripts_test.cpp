@@ -109,17 +109,50 @@ TEST(Scripts, ContinuousIntegrationRunsTheTestsCommand)
     EXPECT_THAT(read(ci), HasSubstr("tests/run.sh"));
 }
 
+namespace {
+
+/// `.ci/run` among scripts that say their names, of which those that match `failing` fail.
+std::string continuous_integration(const TemporaryFolder& folder, const std::string& failing)
+{
+    for (const char* script : {"build", "fuzz/run", "sanitize", "oclgrind", "rusticl", "run"})
+        folder.write("tests/" + std::string(script) + ".sh", "echo \"$(basename $0) $*\"; [[ $0 != *" + failing + "* ]]\n");
+    folder.write(".ci/run", read(root / ".ci/run"));
+    return "bash " + quoted(folder.path() / ".ci/run");
+}
+
+}  // namespace
+
 TEST(Scripts, AFailedStageFailsTheRunAndKeepsNoOtherFromRunning)
 {
     const TemporaryFolder folder;
-    for (const char* script : {"build", "fuzz/run", "sanitize", "oclgrind", "rusticl", "run"})
-        folder.write("tests/" + std::string(script) + ".sh", "echo \"$(basename $0) $*\"; [[ $0 != *rusticl* ]]\n");
-    folder.write(".ci/run", read(root / ".ci/run"));
-    const std::string ci = "bash " + quoted(folder.path() / ".ci/run");
+    const std::string ci = continuous_integration(folder, "rusticl");
     const Outcome all = run(folder, ci + " build rusticl oclgrind tests");
     EXPECT_EQ(all.exit_code, 1) << all.output;
     EXPECT_THAT(all.output, HasSubstr("oclgrind.sh")) << "after the stage that failed";
     EXPECT_TRUE(all.output.ends_with("\nrun.sh \n")) << "the tests' lines come last: " << all.output;
     EXPECT_EQ(run(folder, ci + " fuzz build").exit_code, 0);
     EXPECT_EQ(run(folder, ci + " no_such_stage").exit_code, 2);
+}
+
+TEST(Scripts, WithoutArgumentsEveryStageRunsAndTheTestsRunLast)
+{
+    const TemporaryFolder folder;
+    const std::string ci = continuous_integration(folder, "none");
+    const Outcome all = run(folder, ci);
+    EXPECT_EQ(all.exit_code, 0) << all.output;
+    EXPECT_THAT(all.output, testing::AllOf(HasSubstr("\nrun.sh 20\n"), HasSubstr("sanitize.sh asan"), HasSubstr("sanitize.sh tsan"), HasSubstr("\noclgrind.sh \n"), HasSubstr("\nrusticl.sh \n")));
+    EXPECT_TRUE(all.output.ends_with("\nrun.sh \n")) << all.output;
+}
+
+TEST(Scripts, StagesForWhichThereIsNoTimeAreLeftOutAndSaidSo)
+{
+    const TemporaryFolder folder;
+    const std::string ci = continuous_integration(folder, "none");
+    const Outcome hurried = run(folder, "TYNDALL_CI_MINUTES=25 " + ci);
+    EXPECT_EQ(hurried.exit_code, 0) << hurried.output;
+    EXPECT_THAT(hurried.output, testing::ContainsRegex("asan .*SKIPPED: no time"));
+    EXPECT_THAT(hurried.output, testing::Not(HasSubstr("sanitize.sh asan\n"))) << "three minutes are left before the tests";
+    EXPECT_THAT(hurried.output, HasSubstr("\noclgrind.sh \n"));
+    EXPECT_TRUE(hurried.output.ends_with("\nrun.sh \n")) << hurried.output;
+    EXPECT_THAT(run(folder, "TYNDALL_CI_MINUTES=1 " + ci + " asan").output, HasSubstr("SKIPPED")) << "without the tests, too";
 }
