@@ -7,6 +7,7 @@
 #include <ImfTestFile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "scene/picture_files.hpp"
@@ -67,12 +68,21 @@ std::vector<std::string> channels_of(const Imf::ChannelList& channels)
     throw PictureFault(fmt::format("has {} channels, but neither R, G and B nor Y", names.size()));
 }
 
+/// OpenEXR keeps a row of tiles, as large as the file says they are. Tiles may stick out of a small picture.
+void check_tile_size(const Imf::Header& header, std::int64_t width, std::int64_t height)
+{
+    if (!header.hasTileDescription()) return;
+    const std::int64_t x = header.tileDescription().xSize, y = header.tileDescription().ySize, most = std::max(width * height, std::int64_t{1} << 24);
+    if (x > most || y > most || x * y > most || width * y > most) throw PictureFault(fmt::format("says that its tiles have {} x {} pixels, far more than there are in {} x {}", x, y, width, height));
+}
+
 Picture read_pixels(Bytes& stream, std::size_t bytes)
 {
     Imf::InputFile input(stream);
     const auto window = input.header().dataWindow();
     const std::int64_t width = std::int64_t(window.max.x) - window.min.x + 1, height = std::int64_t(window.max.y) - window.min.y + 1;
     check_picture_size(width, height);
+    check_tile_size(input.header(), width, height);
     std::int64_t values = 0;
     for (auto channel = input.header().channels().begin(); channel != input.header().channels().end(); ++channel) {
         if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1) throw PictureFault("has subsampled channels, which are not read");

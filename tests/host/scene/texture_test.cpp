@@ -1,6 +1,8 @@
 // Textures in scenes: what is looked up where, and what is refused.
 #include <gmock/gmock.h>
 
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "scene/describe.hpp"
@@ -235,6 +237,20 @@ TEST_F(Textures, EveryPrefixOfAFileIsRefused)
     const std::string files[] = {exr_bytes(3, 2, {"R", "G", "B"}, std::vector<float>(18, .5f), folder.path() / "scratch.exr"), png_bytes({.width = 2, .samples = {1, 2, 3, 4, 5, 6}})};
     for (const std::string& bytes : files)
         for (std::size_t length = 0; length < bytes.size(); ++length) EXPECT_THROW(read_picture(bytes.substr(0, length)), PictureFault) << length << " of " << bytes.size();
+}
+
+/// A fuzzer's finding: OpenEXR would take 2.4 GB for a row of tiles as high as the file says.
+TEST_F(Textures, TilesThatNoPictureFillsAreRefusedBeforeMemoryIsAskedFor)
+{
+    std::ifstream file(TYNDALL_SOURCE_DIR "/tests/fuzz/corpus/picture/exr_huge_tiles", std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    ASSERT_FALSE(bytes.empty());
+    try {
+        read_picture(bytes);
+        FAIL() << "it was read";
+    } catch (const PictureFault& fault) {
+        EXPECT_THAT(fault.what(), HasSubstr("says that its tiles have 4 x 67108865 pixels"));
+    }
 }
 
 TEST_F(Textures, MisspeltOrDoubledOnesAreRefused)
