@@ -32,6 +32,7 @@ Light light_of(const plain::Pair& p)
 }  // namespace tyndall
 
 #include "tests/lights/both_precisions.hpp"
+#include "tests/lights/found_places.hpp"
 
 namespace tyndall {
 namespace {
@@ -206,6 +207,16 @@ TEST(ProgressiveRadius, IsTheProductOfItsSteps)
         radius *= (double(pass) + 1 + 2. / 3) / (double(pass) + 2);
     }
 }
+
+TEST_P(BeamLight, PlacesThatAreFoundWeighAsTheyDoWhenDrawn) { expect_found_places_to_weigh_as_drawn(61, 1e-6); }
+
+TEST(VirtualBeamLight, PlacesThatAreFoundWeighAsTheyDoWhenDrawn)
+{
+    expect_found_places_to_weigh_as_drawn(62, 1e-9);
+    expect_found_places_seen_from_points_to_weigh_as_drawn(63);
+}
+
+TEST(VirtualBeamLight, IsTheLineOfItsRecord) { expect_the_line_of_the_record(64); }
 
 }  // namespace
 }  // namespace tyndall

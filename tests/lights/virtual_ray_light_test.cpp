@@ -8,6 +8,8 @@
 
 #include "tests/lights/ray_on_host.hpp"
 
+#include "tests/lights/found_places.hpp"
+
 namespace tyndall {
 namespace {
 
@@ -227,6 +229,16 @@ TEST(VirtualRayLight, ShortWeightsAreBoundedByTheShareOfTheChannel)
         }
     }
 }
+
+TEST_P(BySampler, PlacesThatAreFoundWeighAsTheyDoWhenDrawn) { expect_found_places_to_weigh_as_drawn(61, 1e-6); }
+
+TEST(VirtualRayLight, PlacesThatAreFoundWeighAsTheyDoWhenDrawn)
+{
+    expect_found_places_to_weigh_as_drawn(62, 1e-9);
+    expect_found_places_seen_from_points_to_weigh_as_drawn(63);
+}
+
+TEST(VirtualRayLight, IsTheLineOfItsRecord) { expect_the_line_of_the_record(64); }
 
 }  // namespace
 }  // namespace tyndall
