@@ -38,14 +38,9 @@ double pdf_angle_times_square(const SeenStretch& seen) { return seen.distance / 
 
 int choose_channel(const ExponentialMixture& mixture, double xi)
 {
-    int channel = 2;
-    for (double left = xi, c = 0; c < 2; ++c) {
-        left -= mixture.share[static_cast<int>(c)];
-        if (left < 0) {
-            channel = static_cast<int>(c);
-            break;
-        }
-    }
+    int channel = 0;
+    double left = xi - mixture.share[0];
+    while (channel < 2 && left >= 0) left -= mixture.share[++channel];
     while (mixture.share[channel] <= 0) --channel;  // xi beyond the rounded sum of the shares
     return channel;
 }
