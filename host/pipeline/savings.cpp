@@ -50,7 +50,7 @@ double nominal_pair_seconds(std::uint32_t feature)
         case feature_bit::coloured: return .9e-9;
         case feature_bit::occluders: return 10e-9;
         case feature_bit::nonconvex_media: return 156e-9;
-        case feature_bit::heterogeneous: return 46e-9;
+        case feature_bit::heterogeneous:
         case feature_bit::coloured_grids: return 46e-9;
         default: return -1;
     }

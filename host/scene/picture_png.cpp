@@ -46,7 +46,7 @@ bool read_header(Reading& reading)
     reading.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, keep_fault, pass_over_warning);
     if (reading.png) reading.info = png_create_info_struct(reading.png);
     if (!reading.info) return false;
-    if (setjmp(png_jmpbuf(reading.png))) return false;
+    if (setjmp(png_jmpbuf(reading.png))) return false;  // NOLINT(cert-err52-cpp): how libpng reports
     png_set_read_fn(reading.png, &reading, give_bytes);
     png_read_info(reading.png, reading.info);
     png_set_palette_to_rgb(reading.png);
@@ -59,7 +59,7 @@ bool read_header(Reading& reading)
 
 bool read_rows(Reading& reading, png_bytepp rows)
 {
-    if (setjmp(png_jmpbuf(reading.png))) return false;
+    if (setjmp(png_jmpbuf(reading.png))) return false;  // NOLINT(cert-err52-cpp): how libpng reports
     png_read_image(reading.png, rows);
     png_read_end(reading.png, nullptr);
     return true;

@@ -69,7 +69,7 @@ std::string Properties::text(const std::string& name, const std::string& fallbac
 
 std::string Properties::choice(const std::string& name, const std::string& fallback, const std::vector<std::string>& choices)
 {
-    const std::string value = text(name, fallback);
+    std::string value = text(name, fallback);
     if (std::find(choices.begin(), choices.end(), value) == choices.end())
         refuse_parameter(name, fmt::format("{} = {} is not supported{}; supported: {}", name, in_quotes(value), suggestion(value, choices),
                                            join(choices)));

@@ -74,7 +74,7 @@ fs::path SceneFiles::find(const std::string& name, const SourceLocation& where) 
     bool outside = false;
     for (const fs::path& folder : folders) {
         std::error_code fault;
-        const fs::path found = fs::canonical(folder / name, fault);  // an absolute name replaces the folder; symbolic links are followed
+        fs::path found = fs::canonical(folder / name, fault);  // an absolute name replaces the folder; symbolic links are followed
         if (fault) continue;
         if (allow_outside_ || inside(found)) return found;
         outside = true;

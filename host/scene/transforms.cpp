@@ -62,8 +62,9 @@ Mat4 read_matrix(const XmlElement& element)
         refuse(element.where, fmt::format("<matrix> has {} numbers; it takes 16, or 9, row by row", numbers.size()));
     const int size = numbers.size() == 16 ? 4 : 3;
     Mat4 matrix(1);
+    auto number = numbers.begin();
     for (int row = 0; row < size; ++row)
-        for (int column = 0; column < size; ++column) matrix[column][row] = numbers[static_cast<std::size_t>(row * size + column)];
+        for (int column = 0; column < size; ++column) matrix[column][row] = *number++;
     if (matrix[0][3] != 0 || matrix[1][3] != 0 || matrix[2][3] != 0 || matrix[3][3] != 1)
         refuse(element.where, "<matrix> must end in the row 0 0 0 1");
     return matrix;

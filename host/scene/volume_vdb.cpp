@@ -15,7 +15,7 @@ namespace tyndall {
 
 namespace {
 
-constexpr double most_voxels_of_file = static_cast<double>(largest_volume_file / sizeof(float));
+constexpr double most_voxels_of_file = static_cast<double>(largest_volume_file) / sizeof(float);
 
 std::string names_of(const openvdb::GridPtrVec& grids)
 {

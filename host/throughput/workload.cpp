@@ -37,10 +37,11 @@ glm::vec3 random_direction(std::mt19937& engine)
 
 glm::vec3 eye_direction(const WorkloadWishes& wishes, std::uint32_t i, std::mt19937& engine)
 {
-    constexpr std::uint32_t row = 64;
-    if (wishes.camera)
-        return glm::normalize(
-            glm::vec3((float(i % row) + .5f - row / 2) / row, (float(i / row) + .5f - float(wishes.eyes / row) / 2) / row, .866f));
+    constexpr std::uint32_t row = 64, middle = row / 2;
+    if (wishes.camera) {
+        const std::uint32_t column = i % row, line = i / row, lines = wishes.eyes / row;
+        return glm::normalize(glm::vec3((float(column) + .5f - float(middle)) / row, (float(line) + .5f - float(lines) / 2) / row, .866f));
+    }
     const glm::vec3 d = random_direction(engine);
     return glm::normalize(glm::vec3(d.x, d.y, std::abs(d.z) + 1));
 }
