@@ -6,6 +6,7 @@
 #include "promises.hpp"
 #include "scene/mesh_files.hpp"
 #include "scene/picture_files.hpp"
+#include "scene/vdb_header.hpp"
 #include "scene/volume_files.hpp"
 #include "tyndall/error.hpp"
 
@@ -49,6 +50,15 @@ void ply(Bytes bytes)
 void vol(Bytes bytes)
 {
     read_volume([&] { return read_vol(text_of(bytes)); });
+}
+
+void vdb_header(Bytes bytes)
+{
+    if (bytes.empty()) return;
+    try {
+        check_vdb_header(text_of(bytes.subspan(1)), 224);
+    } catch (const VolumeFault&) {
+    }
 }
 
 void vdb(Bytes bytes)

@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
 # Fuzzes every reader of foreign bytes: builds the fuzzers with Clang (preset asan), then runs each for so long.
 #   bash tests/fuzz/run.sh [seconds for each, 20] [target...]      for example  bash tests/fuzz/run.sh 1800 scene ply
+# Without names: all but vdb, the whole of a .vdb, because Debian's OpenVDB 10.0 writes beyond its memory there (README.md); vdb_header is what is read before OpenVDB.
 # New inputs that reach further are kept in build/fuzz/corpus; what breaks a promise lies in build/fuzz/findings. Exit code 1: something was found.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../host/cmake/install_and_build.sh"
 seconds=${1:-20}
 shift || true
 targets=("$@")
-[[ ${#targets[@]} -gt 0 ]] || targets=(scene obj ply vol vdb exr picture checkpoint shards numbers)
+[[ ${#targets[@]} -gt 0 ]] || targets=(scene obj ply vol vdb_header exr picture checkpoint shards numbers)
 fuzz_folder=$repository_root/tests/fuzz
 build_folder=$repository_root/build/asan
 results=$repository_root/build/fuzz
@@ -18,7 +19,7 @@ cd "$repository_root"
 
 # Executions of a piece: what 20 s are about enough for on a core of 3.5 GHz. Seeds are numbers of pieces, so a faster machine tries the same inputs as a slower one and no others: what passes on one passes
 # on the next.
-declare -A most=([scene]=230000 [obj]=550000 [ply]=700000 [vol]=2500000 [vdb]=5000 [exr]=10000 [picture]=20000 [checkpoint]=180000 [shards]=145000 [numbers]=80000)
+declare -A most=([scene]=230000 [obj]=550000 [ply]=700000 [vol]=2500000 [vdb]=5000 [vdb_header]=2000000 [exr]=10000 [picture]=20000 [checkpoint]=180000 [shards]=145000 [numbers]=80000)
 
 # fuzz NAME SECONDS SEED: one fuzzer, from the repository's corpus and what earlier runs have found. A fuzzer may take 2 GB, an input a minute: the largest grid that is read takes six seconds
 # of a processor, which may have other work.
@@ -29,7 +30,7 @@ fuzz() {
   [[ -f $fuzz_folder/dictionaries/$target.dict ]] && options+=("-dict=$fuzz_folder/dictionaries/$target.dict")
   [[ $target == vdb ]] && options+=(-detect_leaks=0)
   "$build_folder/tests/fuzz/fuzz_$target" -max_total_time="$2" -runs="${most[$target]}" -seed="$3" -timeout=60 -rss_limit_mb=2048 -max_len=32768 -len_control=20 -print_final_stats=1 \
-    -artifact_prefix="$results/findings/$target-" "${options[@]}" "$found" "$fuzz_folder/corpus/$target"
+    -artifact_prefix="$results/findings/$target-" "${options[@]}" "$found" "$fuzz_folder/corpus/${target%_header}"
 }
 
 # run_target NAME: in pieces of 20 s, because OpenVDB leaks. Prints executions, edges of the program's graph that were reached, of how many, and inputs kept.

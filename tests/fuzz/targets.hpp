@@ -19,6 +19,7 @@ void scene(Bytes);       ///< scene XML, with tests/fuzz/files as its folder
 void obj(Bytes);
 void ply(Bytes);
 void vol(Bytes);
+void vdb_header(Bytes);  ///< what of a .vdb is read before OpenVDB sees it; the first byte is passed over
 void vdb(Bytes);         ///< the first byte chooses the grid's name
 void exr(Bytes);
 void picture(Bytes);     ///< of a texture or an environment map: PNG or OpenEXR
