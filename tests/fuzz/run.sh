@@ -2,7 +2,7 @@
 # Fuzzes every reader of foreign bytes: builds the fuzzers with Clang (preset asan), then runs each for so long.
 #   bash tests/fuzz/run.sh [seconds for each, 20] [target...]      for example  bash tests/fuzz/run.sh 1800 scene ply
 # Without names: all but vdb, the whole of a .vdb, because Debian's OpenVDB 10.0 writes beyond its memory there (README.md); vdb_header is what is read before OpenVDB.
-# New inputs that reach further are kept in build/fuzz/corpus; what breaks a promise lies in build/fuzz/findings. Exit code 1: something was found.
+# New inputs that reach further are kept in build/fuzz/corpus; what breaks a promise lies in build/fuzz/findings. Exit code 3: something was found.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../../host/cmake/install_and_build.sh"
 seconds=${1:-20}
@@ -62,4 +62,4 @@ for target in "${targets[@]}"; do
   running=$((running + 1))
 done
 for (( ; running > 0; --running)); do wait -n || failed=1; done
-exit $failed
+exit $((failed ? 3 : 0))

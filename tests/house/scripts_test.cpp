@@ -144,6 +144,19 @@ TEST(Scripts, WithoutArgumentsEveryStageRunsAndTheTestsRunLast)
     EXPECT_TRUE(all.output.ends_with("\nrun.sh \n")) << all.output;
 }
 
+TEST(Scripts, WhatFuzzersFindIsToldAmongOtherStagesAndFailsByItself)
+{
+    const TemporaryFolder folder;
+    const std::string ci = continuous_integration(folder, "none");
+    folder.write("tests/fuzz/run.sh", "exit 3\n");
+    const Outcome among_others = run(folder, ci + " fuzz tests");
+    EXPECT_EQ(among_others.exit_code, 0) << among_others.output;
+    EXPECT_THAT(among_others.output, testing::ContainsRegex("fuzz .*FOUND SOMETHING"));
+    EXPECT_EQ(run(folder, ci + " fuzz").exit_code, 1);
+    folder.write("tests/fuzz/run.sh", "exit 1\n");
+    EXPECT_EQ(run(folder, ci + " fuzz tests").exit_code, 1) << "a fuzzer that cannot be built";
+}
+
 TEST(Scripts, StagesForWhichThereIsNoTimeAreLeftOutAndSaidSo)
 {
     const TemporaryFolder folder;
