@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "description_faults.hpp"
 #include "scenes.hpp"
 #include "support/picture_file.hpp"
 #include "support/temporary_folder.hpp"
@@ -240,30 +241,13 @@ TEST(CPictures, AreRefusedByName)
 
 // ---- refusals ----
 
-struct Fault {
-    std::string name;
-    void (*make)(api::SceneDescription&);
-    std::string message;
-};
-void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+class LibraryPictureFaults : public testing::TestWithParam<DescriptionFault> {};
 
-class LibraryPictureFaults : public testing::TestWithParam<Fault> {};
-
-TEST_P(LibraryPictureFaults, AreRefusedByName)
-{
-    api::SceneDescription scene = pictured_as_data();
-    GetParam().make(scene);
-    try {
-        const api::Scene made(scene);
-        FAIL() << "was accepted";
-    } catch (const SceneError& error) {
-        EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().message));
-    }
-}
+TEST_P(LibraryPictureFaults, AreRefusedByName) { expect_refused(pictured_as_data(), GetParam()); }
 
 using D = api::SceneDescription;
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-const Fault faults[] = {
+const DescriptionFault faults[] = {
     {"TexelsMissing", [](D& s) { s.textures[0].texels.pop_back(); }, "texture 0 \"picture\": a picture of 5 x 3 pixels with 3 channels has 44 values"},
     {"Empty", [](D& s) { s.textures[0].width = 0; }, "a picture of 0 x 3 pixels"},
     {"Huge", [](D& s) { s.textures[0].width = s.textures[0].height = 1 << 30; }, "has 45 values"},
