@@ -1,5 +1,5 @@
 #pragma once
-/// OpenEXR files: any number of named channels, attributes, data and display window. The one place that knows OpenEXR.
+/// OpenEXR files: any number of named channels, attributes, data and display window. The one place of host/film that knows OpenEXR.
 #include <cstdint>
 #include <filesystem>
 #include <map>

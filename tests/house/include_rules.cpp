@@ -45,6 +45,7 @@ constexpr Row rows[] = {
     {"kernels/embedded_kernels.hpp", 5},  // all of the kernels as text
     {"host/include/", 6},
     {"host/parallel/", 6},                // loops over threads
+    {"host/exr/", 6},
     {"host/scene/", 6},
     {"host/volumes/", 7},
     {"host/device/", 8, true},
@@ -100,7 +101,7 @@ const std::vector<Library>& libraries()
         {"OpenCL", R"(^CL/|^OpenCL/)", {"host/device/"}},
         {"Embree", R"(^embree[0-9]*/)", {"host/visibility/"}},
         {"TBB", R"(^tbb/|^oneapi/tbb)", {"host/parallel/", "host/visibility/embree_scene.hpp", "host/pipeline/render.cpp"}},
-        {"OpenEXR", R"(^OpenEXR/|^Imath/|^Imf|^half\.h$)", {"host/film/", "host/scene/picture_exr.cpp"}},
+        {"OpenEXR", R"(^OpenEXR/|^Imath/|^Imf|^half\.h$)", {"host/exr/", "host/film/", "host/scene/picture_exr.cpp"}},
         {"PNG", R"(^png\.h$)", {"host/film/", "host/scene/picture_png.cpp"}},
         {"pugixml", R"(^pugixml)", {"host/scene/"}},
         {"tinyobjloader", R"(^tiny_obj_loader)", {"host/scene/"}},
