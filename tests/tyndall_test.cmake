@@ -1,5 +1,7 @@
 # tyndall_test(NAME SOURCES a.cpp USES targets LABELS labels TIMEOUT seconds): one GoogleTest program, one ctest entry per TEST.
+# Tests that build device programs beyond the default tests' (programs/variants.cmake) have the label variants in place of default.
 include(GoogleTest)
+include(${CMAKE_CURRENT_LIST_DIR}/programs/variants.cmake)
 find_package(GTest REQUIRED)
 function(tyndall_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;USES;LABELS" ${ARGN})
@@ -20,7 +22,21 @@ function(tyndall_test name)
     set(counted FIXTURES_REQUIRED programs ENVIRONMENT LD_PRELOAD=${PROJECT_BINARY_DIR}/libtyndall_program_log.so)
     add_dependencies(${name} tyndall_program_log)
   endif()
-  gtest_discover_tests(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}" ${counted} DISCOVERY_TIMEOUT 60)
+  set(not_variants "")
+  if(DEFINED TYNDALL_VARIANTS_${name} AND default IN_LIST ARG_LABELS)
+    string(REPLACE ";" ":" variants "${TYNDALL_VARIANTS_${name}}")
+    set(not_variants TEST_FILTER "-${variants}")
+    gtest_discover_tests(${name} TEST_FILTER "${variants}" PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS variants DISCOVERY_TIMEOUT 60)
+  endif()
+  gtest_discover_tests(${name} ${not_variants} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}" ${counted} DISCOVERY_TIMEOUT 60)
+endfunction()
+
+# tyndall_counted(TEST...): tests that are no GoogleTest programs and build device programs count theirs as well.
+function(tyndall_counted)
+  if(TARGET tyndall_program_log)
+    set_property(TEST ${ARGN} APPEND PROPERTY ENVIRONMENT LD_PRELOAD=${PROJECT_BINARY_DIR}/libtyndall_program_log.so)
+    set_property(TEST ${ARGN} APPEND PROPERTY FIXTURES_REQUIRED programs)
+  endif()
 endfunction()
 
 # tyndall_every_variant(NAME PROGRAM FILTER): a program's tests that share out combinations between them by default, with each combination, as a slow test (tests/support/every_variant.hpp).

@@ -5,6 +5,7 @@
 #include <functional>
 #include <future>
 #include <thread>
+#include <utility>
 
 #include "device/device.hpp"
 #include "throughput/clocks.hpp"
@@ -16,6 +17,7 @@ namespace tyndall {
 namespace {
 
 constexpr double seconds_of_a_turn = .02;     ///< long beside a launch and a clock's tick, short beside what disturbs a machine
+constexpr double most_seconds_of_a_turn = 1;  ///< aimed at, where the kernel is slow
 constexpr std::uint32_t eyes_of_a_worker = 128;  ///< the fused kernel's work-group: 8 groups of 16 lanes
 
 /// Something to measure: a kernel at a lane width, and how many eyes it is given.
@@ -49,15 +51,25 @@ void build(Device& device, std::vector<Entry>& entries, std::uint32_t eyes)
     for (auto& builder : builders) builder.get();
 }
 
-/// The first run, on which some drivers finish the compilation; and on how many eyes a turn takes its time, in steps that occupy all workers.
+/// The first runs, on which some drivers finish the compilation; and on how many eyes a turn takes its time, in steps that occupy all workers. Fewer than a step where that takes more than a second: some kernels are
+/// ten thousand times slower than others on one device. Then until the device's bound on the time of launches has learnt how fast this one is.
 void warm_up(Entry& entry, std::uint32_t step, const Clock& clock)
 {
     PairRun& run = *entry.run;
-    run.run(step);
-    const double start = clock();
-    run.run(step);
-    const double steps = seconds_of_a_turn / std::max(clock() - start, 1e-9);
-    entry.eyes = std::min(run.eye_count(), step * static_cast<std::uint32_t>(std::clamp(steps, 1., 1e6)));
+    const auto timed = [&](std::uint32_t eyes) {
+        const double start = clock();
+        run.run(eyes);
+        return std::max(clock() - start, 1e-9);
+    };
+    std::uint32_t eyes = std::max(step / 64, eye_alignment);
+    run.run(eyes);
+    double seconds = timed(eyes);
+    for (; eyes < step && 4 * seconds < most_seconds_of_a_turn; seconds = timed(eyes)) eyes = std::min(4 * eyes, step);
+    if (eyes == step) eyes = std::min(run.eye_count(), step * static_cast<std::uint32_t>(std::clamp(seconds_of_a_turn / seconds, 1., 1e6)));
+    entry.eyes = eyes;
+    seconds = timed(eyes);
+    for (int again = 0; again < 16 && seconds < seconds_of_a_turn; ++again)
+        if (std::exchange(seconds, timed(eyes)) < 1.05 * seconds) break;
 }
 
 /// After the first run of all: the least agreement of a kernel with the scalar one.

@@ -114,7 +114,7 @@ namespace {
 /// `.ci/run` among scripts that say their names, of which those that match `failing` fail.
 std::string continuous_integration(const TemporaryFolder& folder, const std::string& failing)
 {
-    for (const char* script : {"build", "fuzz/run", "sanitize", "oclgrind", "rusticl", "run"})
+    for (const char* script : {"build", "fuzz/run", "sanitize", "oclgrind", "rusticl", "variants", "run"})
         folder.write("tests/" + std::string(script) + ".sh", "echo \"$(basename $0) $*\"; [[ $0 != *" + failing + "* ]]\n");
     folder.write(".ci/run", read(root / ".ci/run"));
     return "bash " + quoted(folder.path() / ".ci/run");
@@ -140,7 +140,7 @@ TEST(Scripts, WithoutArgumentsEveryStageRunsAndTheTestsRunLast)
     const std::string ci = continuous_integration(folder, "none");
     const Outcome all = run(folder, ci);
     EXPECT_EQ(all.exit_code, 0) << all.output;
-    EXPECT_THAT(all.output, testing::AllOf(HasSubstr("\nrun.sh 20\n"), HasSubstr("sanitize.sh asan"), HasSubstr("sanitize.sh tsan"), HasSubstr("\noclgrind.sh \n"), HasSubstr("\nrusticl.sh \n")));
+    EXPECT_THAT(all.output, testing::AllOf(HasSubstr("\nrun.sh 20\n"), HasSubstr("sanitize.sh asan"), HasSubstr("sanitize.sh tsan"), HasSubstr("\noclgrind.sh \n"), HasSubstr("\nrusticl.sh \n"), HasSubstr("\nvariants.sh \n")));
     EXPECT_TRUE(all.output.ends_with("\nrun.sh \n")) << all.output;
 }
 

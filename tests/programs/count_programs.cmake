@@ -22,5 +22,5 @@ endforeach()
 message("${total} different programs, of at most ${MOST}")
 if(total GREATER MOST)
   message(FATAL_ERROR "The default tests build more programs than host/docs/decisions/0041-programs-of-the-tests.md allows, and each takes about a second of continuous integration. "
-    "Let new tests share the programs of others (features, sampler, lanes), or label them slow; or raise the bound there and in tests/programs/CMakeLists.txt.")
+    "Let new tests share the programs of others (features, sampler, lanes), or name them in tests/programs/variants.cmake.")
 endif()
