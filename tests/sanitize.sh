@@ -14,7 +14,7 @@ case $sanitizer in
   asan)
     # Every program of tests whose own process reads, writes, traces and calls devices. Left out: whole renders that are compared with others (pipeline, images), mathematics (which the fast build tests),
     # and what runs the program tyndall or a browser.
-    programs=(scene_test openvdb_test no_openvdb_test shipped_scenes_test fuzz_corpus_test test_film test_report test_cli_parts test_support test_metrics
+    programs=(exr_header_test scene_test openvdb_test no_openvdb_test shipped_scenes_test fuzz_corpus_test test_film test_report test_cli_parts test_support test_metrics
               test_visibility test_volumes test_transport device_list_test test_faults planted_errors) ;;
   tsan)
     # What renders with several threads, several devices, twice at once.
