@@ -19,7 +19,7 @@ cd "$repository_root"
 
 # Executions of a piece: what 20 s are about enough for on a core of 3.5 GHz. Seeds are numbers of pieces, so a faster machine tries the same inputs as a slower one and no others: what passes on one passes
 # on the next.
-declare -A most=([scene]=230000 [obj]=550000 [ply]=700000 [vol]=2500000 [vdb]=5000 [vdb_header]=2000000 [exr]=10000 [picture]=20000 [checkpoint]=180000 [shards]=145000 [numbers]=80000)
+declare -A most=([scene]=230000 [obj]=550000 [ply]=700000 [vol]=2500000 [vdb]=5000 [vdb_header]=2000000 [exr]=60000 [picture]=100000 [checkpoint]=180000 [shards]=145000 [numbers]=80000)
 
 # fuzz NAME SECONDS SEED: one fuzzer, from the repository's corpus and what earlier runs have found. A fuzzer may take 2 GB, an input a minute: the largest grid that is read takes six seconds
 # of a processor, which may have other work.
