@@ -128,7 +128,7 @@ void add_scene(CLI::App& app, CompareCommand& command)
     add(app, "--resolution", "WxH", "film size in pixels", [&](const auto& text) { command.resolution = parse_resolution("--resolution", text); });
     add(app, "--crop", "X,Y,W,H", "only this window of the film", [&](const auto& text) { command.crop = parse_crop("--crop", text); });
     add(app, "-d,--device", "DEVICE", "as for render", [&](const auto& text) { command.settings.device = text; });
-    add(app, "--threads", "N", "host threads (all cores)", [&](const auto& text) { command.settings.threads = static_cast<int>(parse_integer("--threads", text, 1, 1024)); });
+    add(app, "--threads", "N", "host threads (all cores); a CPU device has its own, which answer shadow segments too (PoCL: POCL_MAX_PTHREAD_COUNT)", [&](const auto& text) { command.settings.threads = static_cast<int>(parse_integer("--threads", text, 1, 1024)); });
     add_load_options(app, command.load);
 }
 

@@ -18,6 +18,12 @@ CLI::Option* add(CLI::App& app, const char* name, const char* type, const std::s
     return app.add_option_function<std::string>(name, parse, description)->type_name(type);
 }
 
+/// A flag that can be taken back: `--name=false` calls `set` with false. Given several times, the last one counts.
+CLI::Option* add_switch(CLI::App& app, const char* name, const std::string& description, const std::function<void(bool)>& set)
+{
+    return app.add_flag_function(name, [set](std::int64_t count) { set(count > 0); }, description)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
 int integer(const char* option, const std::string& text, int low, int high)
 {
     return static_cast<int>(parse_integer(option, text, low, high));
@@ -93,11 +99,10 @@ void add_transport(CLI::App& app, RenderSettings& settings)
     add(app, "--skip-thin", "SHARE", "leave media_to_media out if at most this share of what media scatter is scattered there again: .01 or 1% (never)",
         [&](const auto& text) { settings.skip_thin = parse_share("--skip-thin", text); });
     add_bias(app, settings);
-    auto* longer = app.add_flag_callback(
-        "--long", [&] { settings.segment_length = SegmentLength::long_; }, "virtual ray lights reach the next surface (default)");
-    app.add_flag_callback(
-           "--short", [&] { settings.segment_length = SegmentLength::short_; }, "virtual ray lights end at their sampled collision")
-        ->excludes(longer);
+    auto* longer = add_switch(app, "--long", "virtual ray lights reach the next surface (default)",
+                              [&](bool on) { settings.segment_length = on ? SegmentLength::long_ : SegmentLength::short_; });
+    add_switch(app, "--short", "virtual ray lights end at their sampled collision",
+               [&](bool on) { settings.segment_length = on ? SegmentLength::short_ : SegmentLength::long_; })->excludes(longer);
 }
 
 void add_selection(CLI::App& app, RenderSettings& settings)
@@ -124,9 +129,8 @@ void add_picture(CLI::App& app, ImageWishes& image)
         if (text != "auto") image.exposure = parse_number("--exposure", text, -64, 64);
     });
     app.add_flag("--half", image.half, "16-bit colours in the EXR; variance and depth stay 32-bit");
-    app.add_flag_callback(
-        "--no-timestamps", [&] { image.timestamps = false; },
-        "nothing of the clock in the EXR: equal renders are byte-equal (also with SOURCE_DATE_EPOCH set)");
+    add_switch(app, "--no-timestamps", "nothing of the clock in the EXR: equal renders are byte-equal (also with SOURCE_DATE_EPOCH set)",
+               [&](bool on) { image.timestamps = !on; });
 }
 
 void add_film(CLI::App& app, RenderCommand& command)
@@ -166,7 +170,7 @@ void add_machine(CLI::App& app, RenderSettings& settings)
     add(app, "--lanes", "N", "pixels per work-item: 1, 4, 8 or 16 (by device); part of the result", [&](const auto& text) {
         settings.lanes = parse_lanes("--lanes", text);
     })->envname("TYNDALL_LANES");
-    add(app, "--threads", "N", "host threads (all cores)", [&](const auto& text) {
+    add(app, "--threads", "N", "host threads (all cores); a CPU device has its own, which answer shadow segments too (PoCL: POCL_MAX_PTHREAD_COUNT)", [&](const auto& text) {
         settings.threads = integer("--threads", text, 1, 1024);
     })->envname("TYNDALL_THREADS");
     add(app, "--features", "NAMES", "build kernels for these features, comma-separated, all or own; what the scene needs must be among them (own)",
@@ -176,8 +180,8 @@ void add_machine(CLI::App& app, RenderSettings& settings)
     add(app, "--math", "NAME", "of the kernels: strict, or fast, which lets compilers reorder and approximate and which no selftest covers (strict)",
         [&](const auto& text) { settings.math = parse_named("--math", text, math_names); });
     app.add_option("--dump-kernels", settings.dump_kernels, "write the source of every program that is built into this folder, to look at or to report")->type_name("FOLDER");
-    app.add_flag_callback(
-        "--no-selftest", [&] { settings.selftest = false; }, "render on a device that fails its selftest, or has not passed it yet, at your own risk");
+    add_switch(app, "--no-selftest", "render on a device that fails its selftest, or has not passed it yet, at your own risk",
+               [&](bool on) { settings.selftest = !on; });
     add(app, "--tile", "PAIRS", "pairs per tile; never changes a byte of the image",
         [&](const auto& text) { settings.tile_pairs = static_cast<std::uint32_t>(parse_integer("--tile", text, 1, 1 << 30)); });
     add(app, "--launch-ms", "MS", "keep what the device does in one go below so many milliseconds (100); never changes a byte of the image",

@@ -23,9 +23,8 @@ void set_setting(RenderSettings& settings, const std::string& name, const std::s
     const CLI::Option* option = name.empty() ? nullptr : app.get_option_no_throw("--" + name);
     if (!option) throw UsageError(fmt::format("there is no setting {}{}", in_quotes(name), suggestion(name, names)));
     const bool is_flag = option->get_expected_max() == 0;
-    if (is_flag && value == "false") return;
-    if (is_flag && value != "true") throw UsageError(fmt::format("{} = {}: must be true or false", name, in_quotes(value)));
-    std::vector<std::string> arguments{is_flag ? "--" + name : "--" + name + "=" + value};
+    if (is_flag && value != "true" && value != "false") throw UsageError(fmt::format("{} = {}: must be true or false", name, in_quotes(value)));
+    std::vector<std::string> arguments{"--" + name + "=" + value};
     try {
         app.parse(arguments);
     } catch (const CLI::ParseError& error) {

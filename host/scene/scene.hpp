@@ -62,7 +62,7 @@ struct Medium {
 
 inline constexpr int vacuum = -1;  ///< medium index of empty space
 
-/// Colours over texture coordinates; scene/textures.hpp says which colour is where.
+/// Colours over texture coordinates; scene/texture_lookup.hpp says which colour is where.
 struct Texture {
     enum class Type { bitmap, checkerboard };
     enum class Filter { bilinear, nearest };

@@ -30,6 +30,9 @@ if [[ -s $shard ]]; then
   exit 0
 fi
 
+# A CPU device has threads of its own beside --threads; PoCL's are as many as the machine has cores unless told otherwise.
+export POCL_MAX_PTHREAD_COUNT=${POCL_MAX_PTHREAD_COUNT:-${SLURM_CPUS_PER_TASK:-1}}
+
 "${TYNDALL:-tyndall}" render "$scene" --passes "$passes" --shard "$SLURM_ARRAY_TASK_ID/$shards" -o "$shard" \
   --threads "${SLURM_CPUS_PER_TASK:-1}" --resume --progress plain "$@" &
 render=$!
