@@ -7,6 +7,7 @@
 
 #include "cli/checkpoint.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/say.hpp"
 #include "cli/version.hpp"
 #include "film/atomic_file.hpp"
 #include "tyndall/error.hpp"
@@ -112,12 +113,12 @@ int run_animate(AnimateCommand command)
             ++done_before;
             continue;
         }
-        fmt::print(stderr, "frame {} ({} of {})\n", number, number - command.first + 1, command.end - command.first);
+        say(stderr, "frame {} ({} of {})\n", number, number - command.first + 1, command.end - command.first);
         const int result = frame.render();
         if (!Frame::finished(result)) return result;
         code = std::max(code, result);
     }
-    if (done_before > 0) fmt::print(stderr, "{} of {} frames were done before\n", done_before, command.end - command.first);
+    if (done_before > 0) say(stderr, "{} of {} frames were done before\n", done_before, command.end - command.first);
     return code;
 }
 

@@ -1,13 +1,12 @@
 #include "cli/bench_command.hpp"
 
-#include <fmt/format.h>
-
 #include <optional>
 
 #include "cli/calibrated_lanes.hpp"
 #include "cli/compare_command.hpp"
 #include "cli/exit_code.hpp"
 #include "cli/outputs.hpp"
+#include "cli/say.hpp"
 #include "cli/version.hpp"
 #include "film/atomic_file.hpp"
 #include "report/readable.hpp"
@@ -43,7 +42,7 @@ int run_bench(const BenchCommand& command)
     if (command.usual_lanes) request.lanes = usual_widths(device);
     one_core.reset();
     const ThroughputResult result = measure_throughput(request);
-    fmt::print("{}", command.json ? to_json(result, version()) : to_table(result));
+    say("{}", command.json ? to_json(result, version()) : to_table(result));
     return static_cast<int>(ExitCode::ok);
 }
 
@@ -54,9 +53,9 @@ int run_calibrate(const std::string& device)
     one_core.reset();
     const ThroughputResult result = measure_throughput(lane_request(device));
     const LaneChoice choice = choose_lanes(result, result.device.default_lanes);
-    fmt::print("{}", to_table(choice, result));
+    say("{}", to_table(choice, result));
     const auto file = store_lanes(result.device, choice);
-    fmt::print("kept in {}: renders on this device take {} lanes from now on, unless --lanes says otherwise\n", terminal_safe(file.string()), choice.lanes);
+    say("kept in {}: renders on this device take {} lanes from now on, unless --lanes says otherwise\n", terminal_safe(file.string()), choice.lanes);
     return static_cast<int>(ExitCode::ok);
 }
 

@@ -1,7 +1,6 @@
 #include "cli/calibrated_lanes.hpp"
 
-#include <fmt/format.h>
-
+#include "cli/say.hpp"
 #include "report/readable.hpp"
 #include "throughput/lane_store.hpp"
 #include "tyndall/error.hpp"
@@ -23,7 +22,7 @@ std::string take_calibrated_lanes(RenderSettings& settings)
 int kept_lanes(const DeviceInfo& device)
 {
     const StoredLanes stored = stored_lanes(device);
-    if (!stored.warning.empty()) fmt::print(stderr, "warning: {}\n", terminal_safe(stored.warning));
+    if (!stored.warning.empty()) say(stderr, "warning: {}\n", terminal_safe(stored.warning));
     return stored.lanes ? stored.lanes : device.default_lanes;
 }
 

@@ -1,9 +1,8 @@
 #include "cli/checkpoint.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
+#include "cli/say.hpp"
 #include "report/readable.hpp"
 #include "tyndall/error.hpp"
 
@@ -40,7 +39,7 @@ void Checkpoint::after_pass(const Progress& progress, const RenderState& state)
         save(state);
     } catch (const IoError& error) {
         last_ = Clock::now();
-        if (!warned_) fmt::print(stderr, "warning: no checkpoint could be written, the render goes on without: {}\n", terminal_safe(error.what()));
+        if (!warned_) say(stderr, "warning: no checkpoint could be written, the render goes on without: {}\n", terminal_safe(error.what()));
         warned_ = true;
     }
 }

@@ -17,6 +17,7 @@
 #include "cli/render_command.hpp"
 #include "cli/render_line.hpp"
 #include "cli/render_options.hpp"
+#include "cli/say.hpp"
 #include "cli/selftest_command.hpp"
 #include "cli/version.hpp"
 #include "scene/text.hpp"
@@ -208,7 +209,7 @@ std::optional<Scene> scene_of(const CLI::App& app, const Request& request)
 
 int print(const std::string& text)
 {
-    fmt::print("{}", text);
+    say("{}", text);
     return static_cast<int>(ExitCode::ok);
 }
 
@@ -265,7 +266,7 @@ int run(int argc, char** argv)
 int flushed(int code)
 {
     if (code == 0 && (std::fflush(stdout) != 0 || std::ferror(stdout)))
-        throw IoError("standard output could not be written; the disk may be full");
+        throw IoError("standard output could not be written; the disk may be full, or what reads it has gone away");
     return code;
 }
 
@@ -273,6 +274,7 @@ int flushed(int code)
 
 int run_command_line(int argc, char** argv)
 {
+    hold_standard_streams();
     report_write_signals_as_errors();
     try {
         return flushed(run(argc, argv));

@@ -1,10 +1,9 @@
 #include "cli/compare_command.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "cli/exit_code.hpp"
+#include "cli/say.hpp"
 #include "comparison/image_pair.hpp"
 #include "report/readable.hpp"
 #include "tyndall/error.hpp"
@@ -16,11 +15,11 @@ int compare_images(const CompareCommand& command)
 {
     const ImageFile image = load_image_file(command.inputs[0], command.layers), reference = load_image_file(command.inputs[1], command.layers);
     const ImagePair pair = compare_image_files(image, reference);
-    for (const auto& warning : pair.warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
-    fmt::print("{}", command.json ? to_json(pair, image, reference) : to_table(pair, image, reference));
+    for (const auto& warning : pair.warnings) say(stderr, "warning: {}\n", terminal_safe(warning));
+    say("{}", command.json ? to_json(pair, image, reference) : to_table(pair, image, reference));
     const double error = std::sqrt(pair.error.relative_mse);
     if (!command.tolerance || error <= *command.tolerance) return static_cast<int>(ExitCode::ok);
-    fmt::print(stderr, "the error of {} is above the tolerance of {}\n", readable_percent(error), readable_percent(*command.tolerance));
+    say(stderr, "the error of {} is above the tolerance of {}\n", readable_percent(error), readable_percent(*command.tolerance));
     return static_cast<int>(ExitCode::outside_tolerance);
 }
 

@@ -11,6 +11,7 @@
 #include "cli/parse_values.hpp"
 #include "cli/render_command.hpp"
 #include "cli/render_line.hpp"
+#include "cli/say.hpp"
 #include "cli/version.hpp"
 #include "comparison/comparison_json.hpp"
 #include "device/device_list.hpp"
@@ -75,7 +76,7 @@ Reference make_and_write_reference(const CompareCommand& command, const Scene& s
 {
     RenderSettings settings = command.settings;
     settings.method = command.reference_method.value_or(Method::path);
-    fmt::print(stderr, "reference: {}, about {}\n", name(settings.method), readable_seconds(*command.reference_seconds));
+    say(stderr, "reference: {}, about {}\n", name(settings.method), readable_seconds(*command.reference_seconds));
     MadeReference made = make_reference(render, settings, *command.reference_seconds, [&] { return interrupt.signal() != 0; });
     if (settings.method == Method::path)
         for (const std::string& sentence : uncarried_light(scene)) made.reference.warnings.push_back("the reference lacks light: " + sentence);
@@ -106,11 +107,11 @@ void write_page(const CompareCommand& command, const Comparison& comparison)
     const std::string json = to_json(comparison);
     write_atomically(command.output / "comparison.json", json);
     write_atomically(command.output / "index.html", comparison_page(to_page_data(comparison)));
-    if (limited_by_the_reference(comparison.judgement)) fmt::print(stderr, "warning: {}\n", comparison.about.warnings.back());
-    fmt::print(stderr, "{}", to_table(comparison));
-    if (command.json) fmt::print("{}", json);
+    if (limited_by_the_reference(comparison.judgement)) say(stderr, "warning: {}\n", comparison.about.warnings.back());
+    say(stderr, "{}", to_table(comparison));
+    if (command.json) say("{}", json);
     else
-        for (const char* file : {"index.html", "comparison.json"}) fmt::print("{}\n", (command.output / file).string());
+        for (const char* file : {"index.html", "comparison.json"}) say("{}\n", (command.output / file).string());
 }
 
 EveryDial what_to_compare(const CompareCommand& command, const Scene& scene)
@@ -132,7 +133,7 @@ EveryDial what_to_compare(const CompareCommand& command, const Scene& scene)
 void say_how_long(const CompareCommand& command, std::size_t candidates)
 {
     const double reference = command.reference.empty() ? *command.reference_seconds : 0, runs = static_cast<double>(candidates) * command.repeats * command.times.back();
-    fmt::print(stderr, "{} to compare, {} runs of each: about {}\n", candidates, command.repeats, readable_seconds(reference + runs));
+    say(stderr, "{} to compare, {} runs of each: about {}\n", candidates, command.repeats, readable_seconds(reference + runs));
 }
 
 double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -142,10 +143,10 @@ double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_
 int compare_methods(CompareCommand& command)
 {
     complete(command);
-    if (const auto warning = take_calibrated_lanes(command.settings); !warning.empty()) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
+    if (const auto warning = take_calibrated_lanes(command.settings); !warning.empty()) say(stderr, "warning: {}\n", terminal_safe(warning));
     if (!command.every_dial) candidates_of(command.settings, command.methods, command.dials);  // what makes no sense is refused before anything is read
     Scene scene = load_scene(command.inputs.front(), command.load);
-    for (const auto& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
+    for (const auto& warning : scene.warnings) say(stderr, "warning: {}\n", terminal_safe(warning));
     override_film(scene.camera, command.resolution, command.crop);
     const auto [candidates, sweeps] = what_to_compare(command, scene);
     prepare_output(command.output);
@@ -158,9 +159,9 @@ int compare_methods(CompareCommand& command)
     InterruptGuard interrupt;
     interrupt.expect_writing();
     const Reference reference = command.reference.empty() ? make_and_write_reference(command, scene, render_scene, interrupt) : load_reference(command, scene);
-    for (const auto& warning : reference.warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
+    for (const auto& warning : reference.warnings) say(stderr, "warning: {}\n", terminal_safe(warning));
     const MeasuringPlan plan{.times = command.times, .repeats = command.repeats, .seed = command.settings.seed};
-    const auto note = [](const std::string& sentence) { fmt::print(stderr, "{}\n", sentence); };
+    const auto note = [](const std::string& sentence) { say(stderr, "{}\n", sentence); };
     const auto measurements = measure(candidates, reference, plan, render_scene, {[&] { return interrupt.signal() != 0; }, note, seconds_now});
     if (measurements.front().runs.empty()) throw Error("stopped before every method had one run, so there is nothing to write");
     const Judgement judgement = judge(measurements, reference, plan.times, sweeps.empty() ? all_pairs(candidates.size()) : pairs_of(sweeps));

@@ -6,6 +6,7 @@
 
 #include "cli/calibrated_lanes.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/say.hpp"
 #include "device/device_list.hpp"
 #include "pipeline/explain.hpp"
 #include "tyndall/error.hpp"
@@ -67,7 +68,7 @@ int run_explain(ExplainCommand command)
     if (!ready) explanation.why_no_calibration = why_not;
     else if (command.calibration_seconds <= 0) explanation.why_no_calibration = "turned off by --calibrate 0";
     else explanation.calibration = calibrate(scene, settings, command.calibration_seconds);
-    fmt::print("{}", command.json ? to_json(explanation) : to_text(explanation));
+    say("{}", command.json ? to_json(explanation) : to_text(explanation));
     return static_cast<int>(ExitCode::ok);
 }
 
@@ -85,7 +86,7 @@ int run_dry(const Scene& scene, RenderSettings settings, bool json)
         compare_memory(explanation, devices);
     }
     explanation.why_no_calibration = "this is a dry run; `tyndall explain` measures";
-    fmt::print("{}", json ? nlohmann::ordered_json::parse(to_json(explanation)).dump() + "\n" : to_text(explanation));
+    say("{}", json ? nlohmann::ordered_json::parse(to_json(explanation)).dump() + "\n" : to_text(explanation));
     return static_cast<int>(ExitCode::ok);
 }
 

@@ -1,9 +1,11 @@
 #include "cli/interrupt.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <optional>
 
@@ -72,6 +74,12 @@ const StopFlag& InterruptGuard::stop() const { return *stop_flag; }
 void InterruptGuard::expect_writing() { something_to_write = true; }
 
 bool InterruptGuard::take_request() { return requested.exchange(false); }
+
+void hold_standard_streams()
+{
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF) [[maybe_unused]] const int lowest = ::open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+}
 
 void report_write_signals_as_errors()
 {

@@ -23,6 +23,10 @@ public:
     bool take_request();
 };
 
+/// Opens the standard streams that the process was started without, as /dev/null: otherwise the next file that is opened would get the number, and what people are told would be written into it. Standard
+/// output cannot be written then, which is an error as soon as there are data for it.
+void hold_standard_streams();
+
 /// Makes writing beyond a file size limit and to a closed pipe an error that is reported, rather than the end of the process.
 void report_write_signals_as_errors();
 

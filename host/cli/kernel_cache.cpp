@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "cli/say.hpp"
 #include "report/readable.hpp"
 
 namespace tyndall {
@@ -68,12 +69,12 @@ KernelCache::KernelCache()
     std::string name = (elsewhere / "tyndall-kernels-XXXXXX").string();
     const std::string advice = "set POCL_CACHE_DIR to a folder with room";
     if (fault || !why_no_kernel_cache(elsewhere, enough_room).empty() || !::mkdtemp(name.data())) {
-        fmt::print(stderr, "warning: PoCL cannot keep kernels in {}: {}; {}\n", terminal_safe(folder.string()), terminal_safe(why), advice);
+        say(stderr, "warning: PoCL cannot keep kernels in {}: {}; {}\n", terminal_safe(folder.string()), terminal_safe(why), advice);
         return;
     }
     temporary_ = name;
     ::setenv("POCL_CACHE_DIR", name.c_str(), 1);
-    fmt::print(stderr, "warning: PoCL cannot keep kernels in {}: {}; they are built again for this run alone. To keep them, {}\n", terminal_safe(folder.string()), terminal_safe(why), advice);
+    say(stderr, "warning: PoCL cannot keep kernels in {}: {}; they are built again for this run alone. To keep them, {}\n", terminal_safe(folder.string()), terminal_safe(why), advice);
 }
 
 KernelCache::~KernelCache()

@@ -1,7 +1,5 @@
 #include "cli/list_commands.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -9,6 +7,7 @@
 #include "cli/bench_command.hpp"
 #include "cli/calibrated_lanes.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/say.hpp"
 #include "cli/scene_json.hpp"
 #include "device/device_list.hpp"
 #include "device/prebuild.hpp"
@@ -47,13 +46,13 @@ void print_device(const DeviceInfo& device)
 {
     constexpr double gib = 1024. * 1024 * 1024;
     const StoredLanes stored = stored_lanes(device);
-    fmt::print("{:>3}  {}: {}\n", device.index, terminal_safe(device.platform), terminal_safe(device.name));
-    fmt::print("     {}, driver {}, {}\n", terminal_safe(device.vendor), terminal_safe(device.driver), terminal_safe(device.version));
-    fmt::print("     {} compute units, {:.1f} GiB, at most {:.1f} GiB at once, {}, double {}\n", device.compute_units,
-               static_cast<double>(device.global_memory) / gib, static_cast<double>(device.max_allocation) / gib, stored.lanes ? readable_lanes(stored.lanes, "calibration") : readable_lanes(device.default_lanes, "rule"),
-               device.fp64 ? "yes" : "no");
-    if (!stored.warning.empty()) fmt::print(stderr, "warning: {}\n", terminal_safe(stored.warning));
-    if (!device.usable) fmt::print("     not usable: {}\n", terminal_safe(device.why_not));
+    say("{:>3}  {}: {}\n", device.index, terminal_safe(device.platform), terminal_safe(device.name));
+    say("     {}, driver {}, {}\n", terminal_safe(device.vendor), terminal_safe(device.driver), terminal_safe(device.version));
+    say("     {} compute units, {:.1f} GiB, at most {:.1f} GiB at once, {}, double {}\n", device.compute_units,
+        static_cast<double>(device.global_memory) / gib, static_cast<double>(device.max_allocation) / gib, stored.lanes ? readable_lanes(stored.lanes, "calibration") : readable_lanes(device.default_lanes, "rule"),
+        device.fp64 ? "yes" : "no");
+    if (!stored.warning.empty()) say(stderr, "warning: {}\n", terminal_safe(stored.warning));
+    if (!device.usable) say("     not usable: {}\n", terminal_safe(device.why_not));
 }
 
 int prebuild_everyday(const std::string& request)
@@ -68,8 +67,8 @@ int prebuild_everyday(const std::string& request)
         prebuild(device, program);
         slowest = std::max(slowest, seconds_since(one));
     }
-    fmt::print("{} programs for {}: {} are ready in the driver's cache after {}, the slowest after {}\n", device.programs_built(), terminal_safe(device.info().platform),
-               terminal_safe(device.info().name), readable_seconds(seconds_since(start)), readable_seconds(slowest));
+    say("{} programs for {}: {} are ready in the driver's cache after {}, the slowest after {}\n", device.programs_built(), terminal_safe(device.info().platform),
+        terminal_safe(device.info().name), readable_seconds(seconds_since(start)), readable_seconds(slowest));
     return static_cast<int>(ExitCode::ok);
 }
 
@@ -78,8 +77,8 @@ int prebuild_everyday(const std::string& request)
 int run_info(const InfoCommand& command)
 {
     const Scene scene = load_scene(command.scene, command.load);
-    for (const auto& warning : scene.warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
-    fmt::print("{}", command.json ? to_json(scene) : describe(scene));
+    for (const auto& warning : scene.warnings) say(stderr, "warning: {}\n", terminal_safe(warning));
+    say("{}", command.json ? to_json(scene) : describe(scene));
     return static_cast<int>(ExitCode::ok);
 }
 
@@ -91,7 +90,7 @@ int run_devices(const DevicesCommand& command)
     Json list = Json::array();
     for (const auto& device : devices) command.json ? list.push_back(json_of(device)) : print_device(device);
     if (command.json)
-        fmt::print("{}\n", Json{{"schema", "tyndall-devices/1"}, {"devices", list}}.dump(2, ' ', false, Json::error_handler_t::replace));
+        say("{}\n", Json{{"schema", "tyndall-devices/1"}, {"devices", list}}.dump(2, ' ', false, Json::error_handler_t::replace));
     choose_device(command.device);  // none usable: says what was tried
     return static_cast<int>(ExitCode::ok);
 }

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/say.hpp"
 #include "report/readable.hpp"
 
 namespace tyndall {
@@ -73,7 +74,7 @@ void ProgressView::show_bar(const Progress& progress)
     const auto full = static_cast<std::size_t>(share_done(progress) * bar_cells);
     std::string line = fmt::format("[{:.<{}}] {}", std::string(full, '#'), bar_cells, progress_text(progress));
     line.resize(std::min(line.size(), static_cast<std::size_t>(std::max(columns_ - 1, 1))));  // a full line would wrap and scroll
-    fmt::print(stream_, "\r\033[K{}", line);
+    say(stream_, "\r\033[K{}", line);
     std::fflush(stream_);
     line_open_ = true;
 }
@@ -83,7 +84,7 @@ void ProgressView::show_plain(const Progress& progress)
     const int tenths = static_cast<int>(10 * share_done(progress));
     if (tenths <= tenths_shown_ && progress.seconds - seconds_shown_ < plain_interval_seconds) return;
     tenths_shown_ = tenths, seconds_shown_ = progress.seconds;
-    fmt::print(stream_, "{:3.0f} %  {}\n", 100 * share_done(progress), progress_text(progress));
+    say(stream_, "{:3.0f} %  {}\n", 100 * share_done(progress), progress_text(progress));
     std::fflush(stream_);
 }
 
@@ -99,7 +100,7 @@ void ProgressView::show_json(const Progress& progress)
                                       {"seconds_to_error", number(progress.seconds_to_error, progress.seconds_to_error >= 0)},
                                       {"pairs_per_second", number(progress.pairs_per_second)},
                                       {"shadow_segments_per_second", number(progress.shadow_segments_per_second)}};
-    fmt::print(stream_, "{}\n", json.dump());
+    say(stream_, "{}\n", json.dump());
     std::fflush(stream_);
 }
 

@@ -13,6 +13,7 @@
 #include "cli/explain_command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/outputs.hpp"
+#include "cli/say.hpp"
 #include "cli/version.hpp"
 #include "cli/write_image.hpp"
 #include "film/atomic_file.hpp"
@@ -39,7 +40,7 @@ int terminal_columns()
 
 void print_warnings(const std::vector<std::string>& warnings)
 {
-    for (const auto& warning : warnings) fmt::print(stderr, "warning: {}\n", terminal_safe(warning));
+    for (const auto& warning : warnings) say(stderr, "warning: {}\n", terminal_safe(warning));
 }
 
 void print_start(const Scene& scene, const RenderSettings& settings, ProgressStyle style)
@@ -48,8 +49,8 @@ void print_start(const Scene& scene, const RenderSettings& settings, ProgressSty
     const auto passes = settings.passes > 0 ? fmt::format(", {} passes", settings.passes) : "";
     const auto error = settings.target_error > 0 ? fmt::format(", to an error of {}", readable_percent(settings.target_error)) : "";
     const auto time = settings.seconds > 0 ? fmt::format(", at most {}", readable_seconds(settings.seconds)) : "";
-    fmt::print(stderr, "rendering {}: {} x {} pixels{}{}{}\n", terminal_safe(scene.file), scene.camera.crop_width, scene.camera.crop_height,
-               passes, time, error);
+    say(stderr, "rendering {}: {} x {} pixels{}{}{}\n", terminal_safe(scene.file), scene.camera.crop_width, scene.camera.crop_height,
+        passes, time, error);
 }
 
 /// One render from its options to its files.
@@ -95,12 +96,12 @@ private:
         const std::string file = terminal_safe(checkpoint_.file().string());
         if (command_.resume) {
             auto state = checkpoint_.read();
-            if (state) fmt::print(stderr, "going on from {}: {} passes are done\n", file, state->passes());
-            else fmt::print(stderr, "there is no {} to go on from: starting with the first pass\n", file);
+            if (state) say(stderr, "going on from {}: {} passes are done\n", file, state->passes());
+            else say(stderr, "there is no {} to go on from: starting with the first pass\n", file);
             return state;
         }
         if (checkpoint_.enabled() && std::filesystem::exists(checkpoint_.file()))
-            fmt::print(stderr, "note: {} is left of an earlier render; --resume would go on from it, this render may write over it\n", file);
+            say(stderr, "note: {} is left of an earlier render; --resume would go on from it, this render may write over it\n", file);
         return std::nullopt;
     }
 
@@ -129,9 +130,9 @@ private:
         try {
             checkpoint_.save(state);
             if (command_.shard.whole()) write_image(paths_, state, command_.image);
-            fmt::print(stderr, "wrote what there is after {} passes; the render goes on\n", state.passes());
+            say(stderr, "wrote what there is after {} passes; the render goes on\n", state.passes());
         } catch (const IoError& error) {
-            fmt::print(stderr, "warning: {}; the render goes on\n", terminal_safe(error.what()));
+            say(stderr, "warning: {}; the render goes on\n", terminal_safe(error.what()));
         }
     }
 
@@ -150,7 +151,7 @@ private:
             outputs = report.outputs;
         }
         if (failure) std::rethrow_exception(failure);
-        if (checkpoint_.enabled()) fmt::print(stderr, "{} passes are in {}; the same command with --resume goes on\n", state.passes(), terminal_safe(checkpoint_.file().string()));
+        if (checkpoint_.enabled()) say(stderr, "{} passes are in {}; the same command with --resume goes on\n", state.passes(), terminal_safe(checkpoint_.file().string()));
         print_outputs("interrupt", outputs, style_);
         return exit_after_signal + interrupt_.signal();
     }
@@ -180,7 +181,7 @@ private:
     {
         try {
             checkpoint_.save(state);
-            if (checkpoint_.enabled()) fmt::print(stderr, "the passes are in {}; --resume writes the output without rendering again\n", terminal_safe(checkpoint_.file().string()));
+            if (checkpoint_.enabled()) say(stderr, "the passes are in {}; --resume writes the output without rendering again\n", terminal_safe(checkpoint_.file().string()));
         } catch (const IoError&) {
         }
     }
@@ -188,7 +189,7 @@ private:
     int exit_code(const RenderState& state) const
     {
         if (command_.strict_nan && not_finite_ > 0) {
-            fmt::print(stderr, "tyndall: {} samples were not finite numbers and were left out, which --strict-nan takes for a failure; the report names the first; please report it with the scene\n", not_finite_);
+            say(stderr, "tyndall: {} samples were not finite numbers and were left out, which --strict-nan takes for a failure; the report names the first; please report it with the scene\n", not_finite_);
             return static_cast<int>(ExitCode::internal);
         }
         const bool missed = command_.settings.target_error > 0 && state.report.stopped_by != "target error";

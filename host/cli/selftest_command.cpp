@@ -1,9 +1,8 @@
 #include "cli/selftest_command.hpp"
 
-#include <fmt/format.h>
-
 #include "cli/calibrated_lanes.hpp"
 #include "cli/exit_code.hpp"
+#include "cli/say.hpp"
 #include "cli/version.hpp"
 #include "device/device_list.hpp"
 #include "report/readable.hpp"
@@ -18,10 +17,10 @@ void finish_bundle(const SelftestCommand& command, const SelftestResult& result)
     if (result.failed.empty()) {
         std::error_code ignored;
         std::filesystem::remove(command.bundle, ignored);
-        fmt::print(stderr, "no case failed on the device: no bundle was written\n");
+        say(stderr, "no case failed on the device: no bundle was written\n");
     } else {
         write_bundle(command.bundle, result, to_json(result, version()));
-        fmt::print(stderr, "wrote {}: its README.md says how to replay the failed cases\n", terminal_safe(command.bundle.string()));
+        say(stderr, "wrote {}: its README.md says how to replay the failed cases\n", terminal_safe(command.bundle.string()));
     }
 }
 
@@ -34,7 +33,7 @@ int run_selftest(const SelftestCommand& command)
     if (command.all_lanes) request.lanes = {1, 4, 8, 16};
     else if (request.lanes.empty()) request.lanes = {kept_lanes(choose_device(request.device))};
     const SelftestResult result = run_selftest(request);
-    fmt::print("{}", command.json ? to_json(result, version()) : command.junit ? to_junit(result) : to_table(result));
+    say("{}", command.json ? to_json(result, version()) : command.junit ? to_junit(result) : to_table(result));
     if (!command.bundle.empty()) finish_bundle(command, result);
     return static_cast<int>(result.passed() ? ExitCode::ok : ExitCode::outside_tolerance);
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cli/say.hpp"
 #include "pipeline/render.hpp"
 #include "report/readable.hpp"
 #include "report/report_output.hpp"
@@ -28,17 +29,17 @@ Report write_image(const OutputPaths& paths, const RenderState& state, const Ima
 void print_summary(Report report, const std::vector<std::string>& printed_warnings)
 {
     std::erase_if(report.warnings, [&](const auto& warning) { return std::ranges::find(printed_warnings, warning) != printed_warnings.end(); });
-    fmt::print(stderr, "{}", to_table(report));
+    say(stderr, "{}", to_table(report));
 }
 
 void print_outputs(const std::string& stopped_by, const std::vector<std::string>& outputs, ProgressStyle style)
 {
     if (style == ProgressStyle::json) {
         const nlohmann::ordered_json event{{"event", "finished"}, {"stopped_by", stopped_by}, {"outputs", outputs}};
-        fmt::print("{}\n", event.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+        say("{}\n", event.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
     } else {
         const bool is_shown = ::isatty(STDOUT_FILENO);
-        for (const auto& output : outputs) fmt::print("{}\n", is_shown ? terminal_safe(output) : output);
+        for (const auto& output : outputs) say("{}\n", is_shown ? terminal_safe(output) : output);
     }
 }
 

@@ -32,7 +32,7 @@ void prepare(const ProcessSetup& setup, const std::string& own, const std::strin
     for (const auto& [name, value] : setup.environment) ::setenv(name.c_str(), value.c_str(), 1);
     redirect("/dev/null", O_RDONLY, STDIN_FILENO);
     redirect(setup.standard_output ? setup.standard_output->c_str() : out.c_str(), O_WRONLY | O_CREAT, STDOUT_FILENO);
-    redirect(err.c_str(), O_WRONLY | O_CREAT, STDERR_FILENO);
+    redirect(setup.standard_error ? setup.standard_error->c_str() : err.c_str(), O_WRONLY | O_CREAT, STDERR_FILENO);
     if (setup.file_size_limit) {
         const rlimit limit{*setup.file_size_limit, *setup.file_size_limit};
         if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) ::_exit(127);

@@ -18,6 +18,7 @@ struct ProcessSetup {
     std::vector<std::pair<std::string, std::string>> environment;  ///< set or replaced
     std::optional<std::uint64_t> file_size_limit;                  ///< bytes, RLIMIT_FSIZE
     std::optional<std::string> standard_output;                    ///< written here instead of being captured
+    std::optional<std::string> standard_error;                     ///< likewise
 };
 
 struct ProcessResult {

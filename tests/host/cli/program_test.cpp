@@ -256,11 +256,6 @@ TEST_F(Program, AFullDiskExitsWith6AndKeepsTheOldImage)
     EXPECT_THAT(files(), ElementsAre("scene.exr", "scene.xml"));
 }
 
-TEST_F(Program, FullStandardOutputExitsWith6)
-{
-    EXPECT_EQ(run({"info", "scene.xml", "--json"}, {.standard_output = "/dev/full"}).exit_code, 6);
-}
-
 TEST_F(Program, InfoPrintsTheSceneAsTextAndAsJson)
 {
     const auto text = run({"info", "scene.xml"});
