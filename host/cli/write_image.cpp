@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/say.hpp"
+#include "film/exr.hpp"
 #include "pipeline/render.hpp"
 #include "report/readable.hpp"
 #include "report/report_output.hpp"
@@ -22,6 +23,7 @@ Report write_image(const OutputPaths& paths, const RenderState& state, const Ima
     for (const auto& pixel : film.not_finite().first_cases)
         report.ledger.first_cases.push_back(
             fmt::format("pass {}, layer {}, pixel ({}, {}) was not finite", pixel.pass, name(pixel.layer), pixel.x, pixel.y));
+    compress_exr_in_threads(report.threads);  // most of the time that writing takes, and after a signal a second is all there is
     write_outputs(paths, film, state.window, wishes, state.asked, report);
     return report;
 }

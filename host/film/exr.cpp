@@ -12,6 +12,7 @@
 #include <ImfOutputFile.h>
 #include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
+#include <ImfThreading.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -129,6 +130,12 @@ ExrImage read_pixels(const std::filesystem::path& file)
 }
 
 }  // namespace
+
+void compress_exr_in_threads(int threads)
+{
+    const int workers = threads > 1 ? threads : 0;  // none: whoever writes compresses
+    if (Imf::globalThreadCount() != workers) Imf::setGlobalThreadCount(workers);
+}
 
 void write_exr(const std::filesystem::path& file, const ExrImage& image)
 {

@@ -29,6 +29,9 @@ struct ExrImage {
 /// Writes atomically (film/atomic_file.hpp), ZIP compressed, one part, rows top to bottom. Equal images give equal bytes. Throws IoError.
 void write_exr(const std::filesystem::path& file, const ExrImage& image);
 
+/// From now on images are compressed in so many threads of this process, which stay; their bytes are the same. For programs: OpenEXR's threads are shared by all who use it, so a library keeps its hands off.
+void compress_exr_in_threads(int threads);
+
 /// Reads every channel of a one-part scan-line or tiled file as float. Attributes of other types than ExrAttribute's are left out.
 /// Throws IoError for what is missing, incomplete, damaged, deep, multi-part, subsampled or too large to be true for its file size.
 ExrImage read_exr(const std::filesystem::path& file);

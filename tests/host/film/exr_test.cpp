@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "support/child_process.hpp"
@@ -89,6 +91,28 @@ TEST(Exr, EqualImagesGiveEqualBytes)
     write_exr(folder / "b.exr", small_image());
     EXPECT_FALSE(file_bytes(folder / "a.exr").empty());
     EXPECT_EQ(file_bytes(folder / "a.exr"), file_bytes(folder / "b.exr"));
+}
+
+TEST(Exr, ThreadsNeverChangeAByte)
+{
+    test::TemporaryFolder folder;
+    ExrImage image = small_image();
+    image.height = image.display_height = 333;  // many pieces that are compressed by themselves
+    for (auto& [name, channel] : image.channels) {
+        channel.values.resize(static_cast<std::size_t>(image.width * image.height));
+        for (std::size_t i = 0; i < channel.values.size(); ++i) channel.values[i] = std::sin(float(i * i));
+    }
+    const auto threads = [] { return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}); };
+    compress_exr_in_threads(1);
+    const auto before = threads();
+    write_exr(folder / "alone.exr", image);
+    compress_exr_in_threads(3);
+    EXPECT_EQ(threads(), before + 3);
+    write_exr(folder / "together.exr", image);
+    compress_exr_in_threads(1);
+    EXPECT_EQ(threads(), before);
+    EXPECT_FALSE(file_bytes(folder / "alone.exr").empty());
+    EXPECT_EQ(file_bytes(folder / "alone.exr"), file_bytes(folder / "together.exr"));
 }
 
 TEST(Exr, RefusesWhatIsMissingOrNoImage)
