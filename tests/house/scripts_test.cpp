@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <regex>
+#include <sstream>
 
 #include "source_tree.hpp"
 
@@ -107,6 +109,22 @@ TEST(Scripts, ContinuousIntegrationRunsTheTestsCommand)
     const fs::path ci = root / ".ci/run";
     EXPECT_NE(fs::status(ci).permissions() & fs::perms::owner_exec, fs::perms::none);
     EXPECT_THAT(read(ci), HasSubstr("tests/run.sh"));
+}
+
+// Stages that a plain .ci/run leaves out have a job of their own, labels too, and what the jobs call is there.
+TEST(Scripts, TheWorkflowRunsEveryStageAndLabel)
+{
+    const std::string workflow = read(root / ".github/workflows/ci.yml"), ci = read(root / ".ci/run");
+    EXPECT_THAT(workflow, HasSubstr("- run: bash .ci/run\n"));
+    std::smatch known;
+    ASSERT_TRUE(std::regex_search(ci, known, std::regex(R"(known=\("\$\{plain\[@\]\}"([a-z ]*)\))")));
+    std::istringstream stages(known[1]);
+    for (std::string stage; stages >> stage;) EXPECT_THAT(workflow, HasSubstr("- run: bash .ci/run " + stage + "\n"));
+    EXPECT_THAT(workflow, HasSubstr("-L slow"));
+    const std::regex script(R"(\b(?:tests|bench)/[\w/]+\.sh\b)");
+    int scripts = 0;
+    for (std::sregex_iterator match(workflow.begin(), workflow.end(), script), end; match != end; ++match, ++scripts) EXPECT_TRUE(fs::exists(root / match->str())) << match->str();
+    EXPECT_GE(scripts, 5);
 }
 
 namespace {
