@@ -12,7 +12,7 @@ using testing::HasSubstr;
 
 namespace {
 
-const char* const commands[] = {"render", "explain", "compare", "merge", "info", "selftest", "bench", "devices", "man", "completion"};
+const char* const commands[] = {"render", "animate", "explain", "compare", "merge", "info", "selftest", "bench", "devices", "man", "completion"};
 
 std::string said(std::vector<std::string> arguments)
 {
@@ -105,6 +105,17 @@ TEST(Completion, FishOffersThem)
     EXPECT_THAT(offers("tyndall render --target-e"), testing::StartsWith("--target-error\t"));
     EXPECT_THAT(offers("tyndall render --sampler table-"), testing::AllOf(HasSubstr("table-3x2"), HasSubstr("table-4x4")));
     EXPECT_EQ(offers("tyndall merge --target-e").find("--target-error"), std::string::npos);
+}
+
+TEST(Completion, ZshTakesBashs)
+{
+    const TemporaryFolder folder;
+    std::ofstream(folder / "tyndall.zsh") << said({"completion", "zsh"});
+    const std::string script = "command -v zsh >/dev/null || exit 77; zsh -f -c 'autoload -U compinit && compinit -u -D; source ./tyndall.zsh; print -r -- $_comps[tyndall]; _tyndall; print -r -- done'";
+    const ProcessResult ran = run_process({"/bin/sh", "-c", script}, {.folder = folder.path()});
+    if (ran.exit_code == 77) GTEST_SKIP() << "there is no zsh";
+    EXPECT_EQ(ran.exit_code, 0) << ran.err;
+    EXPECT_THAT(ran.out, HasSubstr("_bash_complete -o filenames -F _tyndall\n"));
 }
 
 TEST(Completion, AnotherShellIsRefused)
