@@ -9,6 +9,8 @@ using namespace tyndall;
 
 struct tyndall_backend {
     api::Backend backend;
+    tyndall_log_callback log = nullptr;
+    void* user = nullptr;  ///< of the log
 };
 
 namespace {
@@ -63,14 +65,23 @@ std::span<const Record> records(const CRecord* from, std::size_t count, const ch
 template <typename Light, typename Eye, typename CLight, typename CEye>
 tyndall_status connect(tyndall_backend* backend, const CLight* lights, std::size_t light_count, const CEye* eyes, std::size_t eye_count, const tyndall_connect* how, float* radiance, float* variance)
 {
-    return guarded([&] {
+    const auto connected = [&] {
         api::ConnectOptions options;
         if (how) options = {.seed = how->seed, .rounds = how->rounds, .lights_per_eye = how->lights_per_eye};
         if (eye_count > 0) needed(radiance, "the place for the radiance");
         const api::Estimates estimates = needed(backend, "the backend").backend.connect(records<Light>(lights, light_count, "lights"), records<Eye>(eyes, eye_count, "eyes"), options);
         std::copy(estimates.radiance.begin(), estimates.radiance.end(), radiance);
         if (variance) std::copy(estimates.variance.begin(), estimates.variance.end(), variance);
-    });
+    };
+    const tyndall_status status = guarded(connected);
+    if (status != TYNDALL_OK && backend && backend->log) backend->log(backend->user, 2, tyndall_last_error());
+    return status;
+}
+
+/// The backend with the log of its settings.
+tyndall_backend* logging(api::Backend backend, const tyndall_settings* settings)
+{
+    return settings ? new tyndall_backend{std::move(backend), settings->log, settings->user} : new tyndall_backend{std::move(backend)};
 }
 
 }  // namespace
@@ -83,7 +94,7 @@ tyndall_status tyndall_backend_create(const tyndall_description* media, const ty
     return made(backend, [&] {
         api::BackendDescription description = described(media, settings, low, high);
         description.occluded = asking(occluded, user);
-        return new tyndall_backend{api::Backend(std::move(description))};
+        return logging(api::Backend(std::move(description)), settings);
     });
 }
 
@@ -93,7 +104,7 @@ tyndall_status tyndall_backend_create_passing(const tyndall_description* media, 
     return made(backend, [&] {
         api::BackendDescription description = described(media, settings, low, high);
         description.transmittance = asking(passed, user);
-        return new tyndall_backend{api::Backend(std::move(description))};
+        return logging(api::Backend(std::move(description)), settings);
     });
 }
 

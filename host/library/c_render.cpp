@@ -18,7 +18,7 @@ api::RenderOptions options_of(const tyndall_settings& s, const tyndall_scene& sc
                                             .error = p.error, .width = scene.scene.width(), .height = scene.scene.height(), .film = &film};
             return s.progress(s.user, &progress) == 0;
         };
-    if (s.log) options.log = [&](api::LogLevel level, const std::string& text) { s.log(s.user, level == api::LogLevel::warning ? 1 : 0, text.c_str()); };
+    if (s.log) options.log = [&](api::LogLevel level, const std::string& text) { s.log(s.user, static_cast<int>(level), text.c_str()); };
     return options;
 }
 

@@ -12,6 +12,21 @@ tyndall_status tyndall_scene_load(const char* file, tyndall_scene** scene)
     return made(scene, [&] { return new tyndall_scene{api::Scene::load(&needed(file, "the file's name"))}; });
 }
 
+tyndall_status tyndall_scene_load_with(const char* file, const char* const* names, const char* const* values, size_t count, int allow_outside, tyndall_scene** scene)
+{
+    return made(scene, [&] {
+        api::LoadOptions options{.allow_outside = allow_outside != 0};
+        for (std::size_t i = 0; i < count; ++i)
+            options.definitions.insert_or_assign(&needed((&needed(names, "names"))[i], "a name"), &needed((&needed(values, "values"))[i], "a value"));
+        return new tyndall_scene{api::Scene::load(&needed(file, "the file's name"), options)};
+    });
+}
+
+tyndall_status tyndall_scene_with_film(const tyndall_scene* scene, int width, int height, tyndall_scene** other)
+{
+    return made(other, [&] { return new tyndall_scene{needed(scene, "the scene").scene.with_film(width, height)}; });
+}
+
 tyndall_status tyndall_scene_parse(const char* xml, const char* folder, const char* name, tyndall_scene** scene)
 {
     return made(scene, [&] { return new tyndall_scene{api::Scene::parse(&needed(xml, "the text"), &needed(folder, "the folder"), &needed(name, "the name"))}; });

@@ -70,9 +70,10 @@ std::vector<DeviceDescription> devices()
     return all;
 }
 
-Image render(const Scene& scene, const RenderSettings& wanted, const RenderOptions& options)
+namespace {
+
+Image rendered(const Scene& scene, RenderSettings settings, const RenderOptions& options)
 {
-    RenderSettings settings = wanted;
     if (settings.passes == 0 && settings.seconds == 0 && settings.target_error == 0) settings.passes = 16;  // the command line's default
     const tyndall::Scene& internal = scene.state().scene;
     refuse_too_large(internal, settings, options.max_bytes);
@@ -88,6 +89,16 @@ Image render(const Scene& scene, const RenderSettings& wanted, const RenderOptio
         if (std::find(internal.warnings.begin(), internal.warnings.end(), warning) == internal.warnings.end()) log_all(options, LogLevel::warning, {warning});
     log_all(options, LogLevel::info, {fmt::format("{} passes of {} in {:.2f} s, ended by: {}", state.report.passes, internal.file, state.report.seconds, state.report.stopped_by)});
     return image_of(std::move(state));
+}
+
+}  // namespace
+
+Image render(const Scene& scene, const RenderSettings& settings, const RenderOptions& options)
+try {
+    return rendered(scene, settings, options);
+} catch (const Error& error) {
+    log_all(options, LogLevel::error, {error.what()});
+    throw;
 }
 
 }  // namespace tyndall::api

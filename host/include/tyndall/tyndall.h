@@ -16,7 +16,7 @@ extern "C" {
 #endif
 
 /// Grows when functions are added; what is there does not change. tyndall_abi_version() is that of the library that is loaded.
-#define TYNDALL_ABI_VERSION 2
+#define TYNDALL_ABI_VERSION 3
 TYNDALL_API int tyndall_abi_version(void);
 /// "0.1.0 (commit)".
 TYNDALL_API const char* tyndall_version(void);
@@ -46,8 +46,12 @@ typedef struct tyndall_image tyndall_image;
 /* Scenes from files. */
 
 TYNDALL_API tyndall_status tyndall_scene_load(const char* file, tyndall_scene** scene);
+/// The same with `count` values for the <default>s of the file, names[i] = values[i]; allow_outside: anything but 0 lets the scene name files outside of its own folder.
+TYNDALL_API tyndall_status tyndall_scene_load_with(const char* file, const char* const* names, const char* const* values, size_t count, int allow_outside, tyndall_scene** scene);
 /// `xml`: the text of such a file; `folder`: where the files that it names are looked for; `name`: for messages.
 TYNDALL_API tyndall_status tyndall_scene_parse(const char* xml, const char* folder, const char* name, tyndall_scene** scene);
+/// The same scene on another film, without a crop window, as a handle of its own; both sides from 1 to 65536.
+TYNDALL_API tyndall_status tyndall_scene_with_film(const tyndall_scene* scene, int width, int height, tyndall_scene** other);
 TYNDALL_API void tyndall_scene_destroy(tyndall_scene* scene);
 TYNDALL_API int tyndall_scene_width(const tyndall_scene* scene);
 TYNDALL_API int tyndall_scene_height(const tyndall_scene* scene);
@@ -138,7 +142,7 @@ typedef struct tyndall_progress {
 
 /// After every pass, on the thread that called tyndall_render; anything but 0 ends the render with the passes so far.
 typedef int (*tyndall_progress_callback)(void* user, const tyndall_progress* progress);
-/// level 0: information, 1: a warning.
+/// level 0: information, 1: a warning, 2: an error, which is the call's status and tyndall_last_error() as well.
 typedef void (*tyndall_log_callback)(void* user, int level, const char* text);
 /// Either may be NULL.
 TYNDALL_API void tyndall_settings_callbacks(tyndall_settings* settings, tyndall_progress_callback progress, tyndall_log_callback log, void* user);
@@ -226,7 +230,7 @@ typedef struct tyndall_backend tyndall_backend;
 TYNDALL_API tyndall_status tyndall_add_container(tyndall_description* description, int medium, const double* planes, size_t plane_count);
 
 /// Takes the media and containers of a description (nothing else of it is looked at), and of the settings the device or the caller's OpenCL objects, lanes, no-selftest, max_bytes,
-/// the stop flag and the log callback, which hears warnings during calls; NULL: none. low, high: a box that holds every light and eye. occluded NULL: nothing stands between.
+/// the stop flag and the log callback, which hears warnings and errors of calls with the backend; NULL: none. low, high: a box that holds every light and eye. occluded NULL: nothing stands between.
 TYNDALL_API tyndall_status tyndall_backend_create(const tyndall_description* media, const tyndall_settings* settings, const double* low, const double* high, tyndall_occluded occluded,
                                                   void* user, tyndall_backend** backend);
 /// The same for media of any shape: `passed` says what both `occluded` and containers would, and a description with containers is refused.

@@ -113,12 +113,12 @@ private:
     const State& state_;
 };
 
-enum class LogLevel { info, warning };
+enum class LogLevel { info, warning, error };
 
 /// What a render may do beside rendering. Callbacks are called on the thread that called `render`, between passes; what they throw ends the render and leaves it.
 struct RenderOptions {
     std::function<bool(const Progress&, const Preview&)> progress{};  ///< after every pass; false ends the render with the passes so far
-    std::function<void(LogLevel, const std::string&)> log{};          ///< sentences for people; without it nothing is printed anywhere
+    std::function<void(LogLevel, const std::string&)> log{};          ///< sentences for people, errors too, which are thrown as well; without it nothing is printed anywhere
     std::uint64_t max_bytes = 0;  ///< refuse, with ResourceError and before any work, what is estimated to take more memory on host or device; 0: no bound
 };
 

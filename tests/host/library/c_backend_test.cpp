@@ -171,6 +171,20 @@ TEST_F(CBackend, WarningsReachTheLog)
     EXPECT_THAT(heard, testing::Contains(testing::StartsWith("1 ")));
 }
 
+TEST_F(CBackend, ErrorsReachTheLogToo)
+{
+    std::vector<std::string> heard;
+    const tyndall_log_callback listen = [](void* user, int level, const char* text) { static_cast<std::vector<std::string>*>(user)->push_back(std::to_string(level) + " " + text); };
+    tyndall_settings_callbacks(settings.get(), nullptr, listen, &heard);
+    tyndall_backend* made = nullptr;
+    ASSERT_EQ(tyndall_backend_create(media.get(), settings.get(), low, high, nullptr, nullptr, &made), TYNDALL_OK) << tyndall_last_error();
+    const std::unique_ptr<tyndall_backend, Destroyer> listening(made);
+    float radiance[3];
+    const tyndall_connect no_rounds{.seed = 1, .rounds = 0, .lights_per_eye = 0};
+    ASSERT_EQ(tyndall_points_to_points(listening.get(), &point, 1, &surface, 1, &no_rounds, radiance, nullptr), TYNDALL_USAGE_ERROR);
+    EXPECT_THAT(heard, testing::ElementsAre(std::string("2 ") + tyndall_last_error()));
+}
+
 TEST_F(CBackend, RefusesWhatMakesNoSense)
 {
     float radiance[3];

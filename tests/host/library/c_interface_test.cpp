@@ -3,11 +3,12 @@
 #include <CL/cl.h>
 #include <gmock/gmock.h>
 
-#include <chrono>
-#include <functional>
+#include <fstream>
 #include <thread>
 
+#include "../../support/temporary_folder.hpp"
 #include "scenes.hpp"
+#include "settled.hpp"
 #include "tyndall/tyndall.h"
 
 using namespace tyndall;
@@ -98,9 +99,52 @@ TEST(CInterface, MemoryIsBounded)
     const CScene scene = parsed(fog_as_text());
     const CSettings settings = with(two_passes);
     tyndall_settings_max_bytes(settings.get(), 1000);
+    std::string heard;
+    tyndall_settings_callbacks(settings.get(), nullptr, [](void* user, int level, const char* text) { if (level == 2) *static_cast<std::string*>(user) += text; }, &heard);
     tyndall_image* image = nullptr;
     EXPECT_EQ(tyndall_render(scene.get(), settings.get(), &image), TYNDALL_DEVICE_ERROR);
     EXPECT_THAT(tyndall_last_error(), testing::HasSubstr("1000"));
+    EXPECT_EQ(heard, tyndall_last_error()) << "the log hears the error once";
+}
+
+TEST(CInterface, ScenesHaveDefinitionsAndOtherFilms)
+{
+    const TemporaryFolder folder;
+    std::string text = fog_as_text();
+    text.insert(text.find('>', text.find("<scene")) + 1, "<default name=\"depth\" value=\"no number\"/><integrator type=\"volpath\"><integer name=\"max_depth\" value=\"$depth\"/></integrator>");
+    std::ofstream(folder / "fog.xml") << text;
+    const std::string file = (folder / "fog.xml").string();
+    const char* names[] = {"depth"};
+    const char* values[] = {"7"};
+    tyndall_scene* scene = nullptr;
+    EXPECT_EQ(tyndall_scene_load(file.c_str(), &scene), TYNDALL_SCENE_ERROR);
+    ASSERT_EQ(tyndall_scene_load_with(file.c_str(), names, values, 1, 0, &scene), TYNDALL_OK) << tyndall_last_error();
+    const CScene loaded(scene);
+    tyndall_scene* other = nullptr;
+    ASSERT_EQ(tyndall_scene_with_film(loaded.get(), 7, 5, &other), TYNDALL_OK) << tyndall_last_error();
+    const CScene small(other);
+    EXPECT_EQ(tyndall_scene_width(small.get()), 7);
+    EXPECT_EQ(tyndall_scene_height(small.get()), 5);
+    EXPECT_EQ(tyndall_scene_width(loaded.get()), 24);
+    EXPECT_EQ(tyndall_scene_with_film(loaded.get(), 0, 5, &other), TYNDALL_USAGE_ERROR);
+    for (const auto& [bad_names, bad_values] : {std::pair<const char**, const char**>(nullptr, values), {names, nullptr}}) {
+        EXPECT_EQ(tyndall_scene_load_with(file.c_str(), bad_names, bad_values, 1, 0, &scene), TYNDALL_USAGE_ERROR);
+        EXPECT_EQ(scene, nullptr);
+    }
+}
+
+TEST(CInterface, ScenesMayNameFilesOutsideIfTheCallerSaysSo)
+{
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "scene");
+    std::ofstream(folder / "outside.xml") << "<scene version=\"3.0.0\"/>";
+    std::string text = fog_as_text();
+    text.insert(text.find('>', text.find("<scene")) + 1, "<include filename=\"../outside.xml\"/>");
+    std::ofstream(folder / "scene/fog.xml") << text;
+    tyndall_scene* scene = nullptr;
+    EXPECT_EQ(tyndall_scene_load_with((folder / "scene/fog.xml").c_str(), nullptr, nullptr, 0, 0, &scene), TYNDALL_SCENE_ERROR);
+    EXPECT_EQ(tyndall_scene_load_with((folder / "scene/fog.xml").c_str(), nullptr, nullptr, 0, 1, &scene), TYNDALL_OK) << tyndall_last_error();
+    tyndall_scene_destroy(scene);
 }
 
 /// A context with a queue, made here.
@@ -132,13 +176,6 @@ struct OwnOpenCl {
         return count;
     }
 };
-
-/// What `count` comes to: a driver's own threads may hold what they have finished for a moment longer.
-cl_uint settled(const std::function<cl_uint()>& count, cl_uint expected)
-{
-    for (int i = 0; i < 1000 && count() != expected; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    return count();
-}
 
 TEST(CInterface, RendersOnTheCallersContextAndQueue)
 {

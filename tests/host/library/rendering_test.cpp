@@ -90,6 +90,20 @@ TEST(LibraryCallbacks, WhatTheyThrowLeavesTheRender)
     EXPECT_THROW(api::render(api::Scene(fog_as_data()), few_passes(2), options), std::logic_error);
 }
 
+TEST(LibraryCallbacks, TheLogHearsTheErrorThatIsThrown)
+{
+    std::vector<std::string> errors;
+    const api::RenderOptions options{.log = [&](api::LogLevel level, const std::string& text) { if (level == api::LogLevel::error) errors.push_back(text); }, .max_bytes = 1000};
+    std::string thrown;
+    try {
+        api::render(api::Scene(fog_as_data()), few_passes(1), options);
+    } catch (const ResourceError& error) {
+        thrown = error.what();
+    }
+    EXPECT_THAT(thrown, testing::HasSubstr("1000"));
+    EXPECT_THAT(errors, testing::ElementsAre(thrown));
+}
+
 TEST(LibraryCallbacks, TheLogHearsWarnings)
 {
     api::SceneDescription scene = fog_as_data();
