@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Renders a box of fog from Python, by ctypes and NumPy alone, and writes fog.exr, fog.png and fog.json.
+"""Renders a box of fog from Python, by ctypes and NumPy alone, writes fog.exr, fog.png and fog.json, and shows the image: in a window where Matplotlib is installed, otherwise in the terminal.
 
-    python3 fog.py [fog.exr] [--show]        libtyndall.so is looked for where the dynamic linker looks; TYNDALL_LIBRARY names it otherwise
+    python3 fog.py [fog.exr] [--no-show]     libtyndall.so is looked for where the dynamic linker looks; TYNDALL_LIBRARY names it otherwise
 """
 import ctypes
 import os
@@ -64,18 +64,29 @@ def layer(image, name):
     return np.ctypeslib.as_array(pixels, shape).copy() if pixels else np.zeros(shape, np.float32)
 
 
+def show(beauty):
+    """A window, or characters of 24-bit colour in the terminal, each of which is two pixels: its upper half and what is below."""
+    picture = np.uint8(255 * np.clip(beauty / np.percentile(beauty, 99), 0, 1) ** (1 / 2.2))
+    try:
+        import matplotlib.pyplot as plot
+    except ImportError:
+        for upper, lower in zip(picture[::2], picture[1::2]):
+            print("".join("\x1b[38;2;{};{};{};48;2;{};{};{}m\u2580".format(*a, *b) for a, b in zip(upper, lower)) + "\x1b[0m")
+    else:
+        plot.imshow(picture)
+        plot.show()
+
+
 def main():
-    names = [argument for argument in sys.argv[1:] if argument != "--show"]
+    names = [argument for argument in sys.argv[1:] if argument != "--no-show"]
     scene, settings = box_of_fog(), make(tyndall.tyndall_settings_create)
     check(tyndall.tyndall_settings_set(settings, b"passes", b"8"))
     image = make(tyndall.tyndall_render, scene, settings)
     beauty, fog = layer(image, "beauty"), layer(image, "media_to_media") + layer(image, "single")
     print(f"{beauty.shape[1]} x {beauty.shape[0]} pixels, mean {beauty.mean():.4f}, of it scattered by the fog {fog.mean():.4f}, error {tyndall.tyndall_image_error(image):.1%}")
     check(tyndall.tyndall_image_write(image, (names[0] if names else "fog.exr").encode()))
-    if "--show" in sys.argv:
-        import matplotlib.pyplot as plot  # only here
-        plot.imshow(np.clip(beauty / np.percentile(beauty, 99), 0, 1) ** (1 / 2.2))
-        plot.show()
+    if "--no-show" not in sys.argv:
+        show(beauty)
     for destroy, handle in ((tyndall.tyndall_image_destroy, image), (tyndall.tyndall_settings_destroy, settings), (tyndall.tyndall_scene_destroy, scene)):
         destroy(handle)
 

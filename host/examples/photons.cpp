@@ -1,7 +1,10 @@
-/// A renderer with its own photons, camera and geometry that leaves only the connections to Tyndall: fog in the cube [-1, 1]^3 with a black ball in it, lit by a point.
+/// A renderer with its own photons, camera, geometry and OpenCL queue that leaves only the connections to Tyndall: fog in the cube [-1, 1]^3 with a black ball in it, lit by a point.
 /// It writes photons.pfm; `tyndall render photons.xml --layer media_to_media` is the same picture.      photons [FILE.pfm [SEED [PASSES]]]
+#define CL_TARGET_OPENCL_VERSION 120
+#include <CL/cl.h>
 #include <tyndall/backend.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -82,6 +85,26 @@ static std::vector<EyeSegment> trace_camera()
     return eyes;
 }
 
+/// What a renderer has that computes on a device itself; the connections go through the same queue.
+struct OwnQueue {
+    cl_device_id device = nullptr;
+    cl_context context = nullptr;
+    cl_command_queue queue = nullptr;
+
+    OwnQueue()
+    {
+        cl_platform_id platforms[16];
+        cl_uint count = 0;
+        clGetPlatformIDs(16, platforms, &count);
+        for (cl_uint i = 0; i < std::min(count, 16u) && !device; ++i)
+            if (clGetDeviceIDs(platforms[i], CL_DEVICE_TYPE_ALL, 1, &device, nullptr) != CL_SUCCESS) device = nullptr;
+        if (device) context = clCreateContext(nullptr, 1, &device, nullptr, nullptr, nullptr);
+        if (context) queue = clCreateCommandQueue(context, device, 0, nullptr);
+        if (!queue) throw tyndall::NoDeviceError("no OpenCL device has a queue for us");
+    }
+    ~OwnQueue() { clReleaseCommandQueue(queue), clReleaseContext(context); }
+};
+
 static void behind_ball(std::span<const ShadowSegment> segments, std::span<std::uint8_t> blocked)
 {
     for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -94,7 +117,10 @@ int main(int argc, char** argv)
 try {
     const int passes = argc > 3 ? std::atoi(argv[3]) : 16;
     engine.seed(argc > 2 ? std::atoi(argv[2]) : 1);
-    Backend backend({.media = {{.sigma_t = {sigma_t, sigma_t, sigma_t}, .albedo = albedo, .phase = {.type = Phase::Type::henyey_greenstein, .g = g}}}, .occluded = behind_ball});
+    const OwnQueue own;
+    Backend backend({.media = {{.sigma_t = {sigma_t, sigma_t, sigma_t}, .albedo = albedo, .phase = {.type = Phase::Type::henyey_greenstein, .g = g}}},
+                     .occluded = behind_ball,
+                     .opencl = tyndall::OpenClHandles{.context = own.context, .device = own.device, .queue = own.queue}});
     std::vector<float> picture(3 * size * size);
     for (int pass = 0; pass < passes; ++pass) {
         const Estimates seen = backend.connect(trace_photons(300), trace_camera(), {.seed = engine(), .rounds = 1});

@@ -98,7 +98,7 @@ struct Library {
 const std::vector<Library>& libraries()
 {
     static const std::vector<Library> all = {
-        {"OpenCL", R"(^CL/|^OpenCL/)", {"host/device/"}},
+        {"OpenCL", R"(^CL/|^OpenCL/)", {"host/device/", "host/examples/photons.cpp"}},
         {"Embree", R"(^embree[0-9]*/)", {"host/visibility/"}},
         {"TBB", R"(^tbb/|^oneapi/tbb)", {"host/parallel/", "host/visibility/embree_scene.hpp", "host/pipeline/render.cpp"}},
         {"OpenEXR", R"(^OpenEXR/|^Imath/|^Imf|^half\.h$)", {"host/exr/", "host/film/", "host/scene/picture_exr.cpp"}},

@@ -12,7 +12,7 @@ using Violations = std::vector<std::string>;
 /// Includes go one way (README.md, "Layout"): a file includes from its own row or a row above, and the four parts in the middle row never each other.
 Violations includes_against_the_direction(const fs::path& root);
 
-/// OpenCL stays in host/device, Embree in host/visibility, OpenEXR and PNG in host/film and host/exr, pugixml and tinyobjloader in host/scene, CLI11 in host/cli;
+/// OpenCL stays in host/device (and in an example with a queue of its own), Embree in host/visibility, OpenEXR and PNG in host/film and host/exr, pugixml and tinyobjloader in host/scene, CLI11 in host/cli;
 /// kernels/ includes no library at all. tests/ and bench/ are free.
 Violations libraries_outside_their_folder(const fs::path& root);
 

@@ -42,6 +42,8 @@ TEST_F(LibraryInstall, ExamplesBuildAndRunWithFindPackage)
     succeeds({(build / "box_of_fog").string(), "picture.exr"}, {.folder = folder->path()});
     EXPECT_GT(fs::file_size(folder->path() / "picture.exr"), 1000u);
     EXPECT_TRUE(fs::exists(folder->path() / "picture.png"));
+    succeeds({(build / "photons").string(), "photons.pfm", "1", "1"}, {.folder = folder->path()});
+    EXPECT_GT(fs::file_size(folder->path() / "photons.pfm"), 12000u);
 }
 
 TEST_F(LibraryInstall, AnExampleBuildsWithPkgConfig)
