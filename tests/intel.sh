@@ -14,5 +14,5 @@ use_intel_runtime
 cache=$(mktemp -d)
 trap 'rm -rf "$cache"' EXIT
 export XDG_CACHE_HOME=$cache XDG_CONFIG_HOME=$cache
-TYNDALL_OTHER_DEVICE=intel: TYNDALL_OTHER_LANES=1,4,8,16 timeout 1800 "$built/tests/other_device/other_device_test"
+TYNDALL_OTHER_DEVICE=intel: TYNDALL_OTHER_LANES=1,4,8,16 TYNDALL_OTHER_GRID_SEGMENTS=1 timeout 1800 "$built/tests/other_device/other_device_test"
 exec timeout 600 "$built/tyndall" selftest --device intel: --all-lanes

@@ -8,6 +8,7 @@
 
 #include "../host/pipeline/whole_renderer.hpp"
 #include "kernels/shared/host_features.hpp"
+#include "tests/device/grid_pairs.hpp"
 #include "tests/device/random_pairs.hpp"
 
 namespace tyndall::test {
@@ -64,6 +65,34 @@ TEST_F(OtherDevice, GathersTheSameSums)
     }
 }
 
+/// Both ways to find transmittances through a grid.
+constexpr int every_transmittance[] = {TRANSMITTANCE_MARCH, TRANSMITTANCE_EXACT};
+
+TEST_F(OtherDevice, GathersTheSameSumsThroughDensityGrids)
+{
+    const RandomPairs pairs = testing::grid_pairs({});
+    for (const int width : lanes)
+        for (const int transmittance : every_transmittance) {
+            SCOPED_TRACE(std::to_string(width) + " lanes, " + std::to_string(transmittance));
+            const PairProgram program{.eyes = EyeKind::points, .features = feature_bit::heterogeneous, .lanes = width, .transmittance = transmittance};
+            expect_agreement(sums_on(default_device, pairs, program), sums_on(name, pairs, program));
+        }
+}
+
+// rusticl is not done with these programs after eight minutes: TYNDALL_OTHER_GRID_SEGMENTS says where they are worth waiting for.
+TEST_F(OtherDevice, GathersTheSameSumsOfSegmentsThroughDensityGrids)
+{
+    if (!std::getenv("TYNDALL_OTHER_GRID_SEGMENTS")) GTEST_SKIP() << "TYNDALL_OTHER_GRID_SEGMENTS is not set; tests/intel.sh does";
+    const RandomPairs pairs = testing::grid_pairs({.g = .6, .coloured = true, .albedo = true});
+    const std::uint32_t mask = feature_bit::heterogeneous | feature_bit::anisotropic | feature_bit::coloured | feature_bit::coloured_grids;
+    for (const int width : lanes)
+        for (const int transmittance : every_transmittance) {
+            SCOPED_TRACE(std::to_string(width) + " lanes, " + std::to_string(transmittance));
+            const PairProgram program{.features = mask, .lanes = width, .transmittance = transmittance};
+            expect_agreement(sums_on(default_device, pairs, program), sums_on(name, pairs, program));
+        }
+}
+
 std::vector<double> contributions_on(const std::string& device_name, const RandomPairs& pairs, int lanes)
 {
     Device device(device_name);
@@ -115,6 +144,29 @@ TEST_F(OtherDevice, RendersTheSameImageByEveryMethod)
     const Scene scene = scene_of(fog + horizontal({0, -.8, 0}, 1.5, true, diffuse(Rgb(.5, .25, .75))) + sphere({.1, .1, .1}, .2, diffuse(Rgb(.5))));
     for (const char* method : {"vrl", "vpl", "vpl-clamped", "vbl", "beams", "photons"})
         EXPECT_LT(difference(default_device, name, scene, {.method = Method(method), .passes = 1, .lights = 50, .lanes = lanes.back(), .selection = Selection::all, .selftest = false}), 1e-5) << method;
+}
+
+// Lights that are chosen: where a random number falls on the edge between two lights, rounding decides which one it is, and the pixels of that square differ by noise. The images are equal within their
+// error bars all the same, and far more than images of other random numbers, whose share is 1.
+TEST_F(OtherDevice, RendersTheSameImageWithChosenLights)
+{
+    const Scene scene = scene_of(fog + sphere({.1, .1, .1}, .2, diffuse(Rgb(.5))));
+    for (const int width : lanes) {
+        RenderSettings settings{.passes = 4, .lights = 200, .lanes = width, .selection = Selection::tile, .selected_lights = 16, .selftest = false};
+        settings.layers = LayerSet().add(Layer::media_to_media);
+        settings.device = default_device;
+        const Film here = render(scene, settings).film;
+        settings.device = name;
+        const Film there = render(scene, settings).film;
+        double differences = 0, variances = 0;
+        for (std::size_t i = 0; i < here.beauty().size(); ++i) {
+            const Rgb d = here.beauty(i) - there.beauty(i), v = here.variance_of_mean(i) + there.variance_of_mean(i);
+            differences += d.g * d.g, variances += v.g;
+        }
+        EXPECT_GT(variances, 0);
+        EXPECT_LT(differences / variances, .01) << width;
+        EXPECT_LT(difference(default_device, name, scene, settings), 1e-3) << width;
+    }
 }
 
 }  // namespace
