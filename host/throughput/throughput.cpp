@@ -18,6 +18,7 @@ namespace {
 
 constexpr double seconds_of_a_turn = .02;     ///< long beside a launch and a clock's tick, short beside what disturbs a machine
 constexpr double most_seconds_of_a_turn = 1;  ///< aimed at, where the kernel is slow
+constexpr std::uint32_t most_steps = 32;         ///< of a turn, where it takes more work-items than workers to occupy a device: 64 work-groups of 64 each
 constexpr std::uint32_t eyes_of_a_worker = 128;  ///< the fused kernel's work-group: 8 groups of 16 lanes
 
 /// Something to measure: a kernel at a lane width, and how many eyes it is given.
@@ -61,15 +62,15 @@ void warm_up(Entry& entry, std::uint32_t step, const Clock& clock)
         run.run(eyes);
         return std::max(clock() - start, 1e-9);
     };
-    std::uint32_t eyes = std::max(step / 64, eye_alignment);
+    std::uint32_t eyes = std::max(step / 64 / eye_alignment, 1u) * eye_alignment;
     run.run(eyes);
     double seconds = timed(eyes);
-    for (; eyes < step && 4 * seconds < most_seconds_of_a_turn; seconds = timed(eyes)) eyes = std::min(4 * eyes, step);
-    if (eyes == step) eyes = std::min(run.eye_count(), step * static_cast<std::uint32_t>(std::clamp(seconds_of_a_turn / seconds, 1., 1e6)));
-    entry.eyes = eyes;
-    seconds = timed(eyes);
+    const auto grow = [&](std::uint32_t larger) { eyes = larger, run.run(eyes), seconds = timed(eyes); };
+    while (eyes < step && 4 * seconds < most_seconds_of_a_turn) grow(std::min(4 * eyes, step));
+    while (eyes >= step && seconds < seconds_of_a_turn && eyes < run.eye_count()) grow(std::min(2 * eyes, run.eye_count()));
     for (int again = 0; again < 16 && seconds < seconds_of_a_turn; ++again)
-        if (std::exchange(seconds, timed(eyes)) < 1.05 * seconds) break;
+        if (const double before = std::exchange(seconds, timed(eyes)); before < 1.05 * seconds) break;
+    entry.eyes = eyes;
 }
 
 /// After the first run of all: the least agreement of a kernel with the scalar one.
@@ -131,7 +132,7 @@ ThroughputResult measure_throughput(const ThroughputRequest& request)
     const std::uint32_t workers = result.processor_time ? 1 : std::max(result.device.compute_units, 1u), step = eyes_of_a_worker * workers;
     std::vector<Entry> entries = entries_of(request);
     const double start = wall_seconds();
-    build(device, entries, std::max(2048u, 4 * step));
+    build(device, entries, std::max(2048u, (result.device.is_cpu ? 4 : most_steps) * step));
     result.agreeing = check(result.device, entries, step);
     const Clock clock = result.processor_time ? processor_seconds : wall_seconds;
     for (Entry& entry : entries) warm_up(entry, step, clock);
