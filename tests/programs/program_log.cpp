@@ -13,10 +13,13 @@
 
 namespace {
 
+/// The loader behind this library, also where a program opened it for itself alone (Python does, by libtyndall).
 template <typename Function>
 Function* in_loader(const char* name)
 {
-    return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+    if (void* next = dlsym(RTLD_NEXT, name)) return reinterpret_cast<Function*>(next);
+    static void* const loader = dlopen("libOpenCL.so.1", RTLD_NOW | RTLD_LOCAL);
+    return loader ? reinterpret_cast<Function*>(dlsym(loader, name)) : nullptr;
 }
 
 /// FNV-1a, 64 bits: among a thousand programs two are alike with a chance of 3e-14.
