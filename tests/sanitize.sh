@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs tests of the host under sanitizers, with Clang:
 #   bash tests/sanitize.sh asan [ctest options]    AddressSanitizer, its check for leaks, and UndefinedBehaviorSanitizer with conversions of numbers that do not fit
+#   bash tests/sanitize.sh ubsan [ctest options]   UndefinedBehaviorSanitizer alone, the same tests: where the memory that AddressSanitizer takes is not there
 #   bash tests/sanitize.sh tsan [ctest options]    ThreadSanitizer
 # Kernels are compiled by the driver and are not instrumented: tests/oclgrind.sh looks after them. Debian's libraries are not instrumented either: tests/sanitize/*.txt say what follows. Exit code: ctest's.
 set -euo pipefail
@@ -11,7 +12,7 @@ shift || true
 left_out='_NOT_BUILT$|^(CInterface|Page|Package|farm|House)\.|^ErrorUpperBound\.Holds|^TargetError\.IsNotReachedByLuck|^MediumLine\.DepthIsTheIntegral|SamplesFollow|EveryCall\.'
 chosen=()
 case $sanitizer in
-  asan)
+  asan | ubsan)
     # Every program of tests whose own process reads, writes, traces and calls devices. Left out: whole renders that are compared with others (pipeline, images), mathematics (which the fast build tests),
     # and what runs the program tyndall or a browser.
     programs=(exr_header_test scene_test openvdb_test no_openvdb_test shipped_scenes_test fuzz_corpus_test test_film test_report test_cli_parts test_support test_metrics
@@ -20,7 +21,7 @@ case $sanitizer in
     # What renders with several threads, several devices, twice at once.
     programs=(test_threads test_faults planted_errors)
     chosen=(--tests-regex 'Sameness|ForAnyThreads|NumberOfThreads|SeveralDevices|TheOtherDevice|^PlantedError') ;;
-  *) say "say which: bash tests/sanitize.sh asan, or tsan"; exit 2 ;;
+  *) say "say which: bash tests/sanitize.sh asan, ubsan or tsan"; exit 2 ;;
 esac
 install_packages "${build_packages[@]}" "${optional_packages[@]}" "${test_packages[@]}" "${sanitizer_packages[@]}"
 cd "$repository_root"

@@ -127,6 +127,29 @@ TEST(Scripts, TheWorkflowRunsEveryStageAndLabel)
     EXPECT_GE(scripts, 5);
 }
 
+// With tools that only say how they were called: packages, CMake, CTest.
+TEST(Scripts, TheSanitizersScriptBuildsAndTestsEveryPresetThatHasOne)
+{
+    const std::string presets = read(root / "CMakePresets.json");
+    const std::regex sanitized(R"lit(\{"name": "(\w+)", "inherits": "sanitized", "cacheVariables": \{"TYNDALL_SANITIZE")lit");
+    const TemporaryFolder folder;
+    folder.write("tests/sanitize.sh", read(root / "tests/sanitize.sh"));
+    folder.write("host/cmake/install_and_build.sh", "repository_root=" + quoted(folder.path()) + "; install_packages() { :; }; say() { echo \"$*\"; }\n");
+    for (const char* tool : {"cmake", "ctest"}) write_tool(folder, tool, "echo \"" + std::string(tool) + " $*\"");
+    write_tool(folder, "llvm-symbolizer", "");
+    std::string names;
+    for (std::sregex_iterator match(presets.begin(), presets.end(), sanitized), end; match != end; ++match) {
+        const std::string name = (*match)[1];
+        names += name + " ";
+        const Outcome outcome = run(folder, "bash " + quoted(folder.path() / "tests/sanitize.sh") + " " + name);
+        EXPECT_EQ(outcome.exit_code, 0) << name << ": " << outcome.output;
+        EXPECT_THAT(outcome.output, testing::AllOf(HasSubstr("cmake --preset " + name), HasSubstr("cmake --build --preset " + name), HasSubstr("ctest --test-dir build/" + name)));
+        EXPECT_THAT(presets, HasSubstr("\"configurePreset\": \"" + name + "\"")) << "a preset to build with";
+    }
+    EXPECT_EQ(names, "asan ubsan tsan ");
+    EXPECT_EQ(run(folder, "bash " + quoted(folder.path() / "tests/sanitize.sh") + " no_such_sanitizer").exit_code, 2);
+}
+
 namespace {
 
 /// `.ci/run` among scripts that say their names, of which those that match `failing` fail.
