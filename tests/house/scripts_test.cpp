@@ -198,6 +198,18 @@ TEST(Scripts, WhatFuzzersFindIsToldAmongOtherStagesAndFailsByItself)
     EXPECT_EQ(run(folder, ci + " fuzz tests").exit_code, 1) << "a fuzzer that cannot be built";
 }
 
+TEST(Scripts, TheRunHasTheMinutesThatDocumentAndWorkflowSay)
+{
+    const std::string ci = read(root / ".ci/run"), workflow = read(root / ".github/workflows/ci.yml");
+    std::smatch minutes, of_the_job;
+    ASSERT_TRUE(std::regex_search(ci, minutes, std::regex(R"(TYNDALL_CI_MINUTES:-(\d+))")));
+    ASSERT_TRUE(std::regex_search(workflow, of_the_job, std::regex(R"(default:\n(?: .*\n)*?    timeout-minutes: (\d+)\n)")));
+    EXPECT_LE(std::stoi(minutes[1]), 75);
+    EXPECT_EQ(std::stoi(of_the_job[1]), std::stoi(minutes[1]) + 5);
+    EXPECT_THAT(ci, HasSubstr("TYNDALL_CI_MINUTES, " + minutes.str(1) + ":"));
+    EXPECT_THAT(read(root / "host/docs/ci.md"), HasSubstr("have " + minutes.str(1) + " minutes (`TYNDALL_CI_MINUTES`), and the job of the workflow five more"));
+}
+
 TEST(Scripts, StagesForWhichThereIsNoTimeAreLeftOutAndSaidSo)
 {
     const TemporaryFolder folder;
