@@ -42,6 +42,7 @@ set(TYNDALL_VARIANTS_test_library_backend Backend.LeavesShadowsToTheCaller Backe
   Every/BackendFaults.*/Transmittance)
 
 # Selftests and measurements of kernels at several lane widths.
-set(TYNDALL_VARIANTS_test_throughput MeasuredKernels.RunOnADevice* BenchProgram.*)
+set(TYNDALL_VARIANTS_test_throughput MeasuredKernels.RunOnADevice*)
+set(TYNDALL_VARIANTS_test_bench_program BenchProgram.*)
 set(TYNDALL_VARIANTS_test_program_faults CommaLocaleProgram.MeasuresIn*)
 set(TYNDALL_VARIANTS_test_selftest FirstUseOfADevice.AFailureNames* FirstUseOfADevice.RunsAgainForAnother* Selftest.AWrongKernel*)
