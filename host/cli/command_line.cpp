@@ -20,6 +20,7 @@
 #include "cli/say.hpp"
 #include "cli/selftest_command.hpp"
 #include "cli/version.hpp"
+#include "device/opencl_loader.hpp"
 #include "scene/text.hpp"
 #include "tyndall/error.hpp"
 
@@ -105,7 +106,7 @@ void declare(CLI::App& app, Request& request)
 {
     app.formatter(std::make_shared<ExamplesFirst>());
     app.set_help_flag("-h,--help", "print this and exit");
-    app.set_version_flag("--version", version_text, "print version, commit and libraries, and exit");
+    app.set_version_flag("--version", [] { return version_text(opencl_loader()); }, "print version, commit and libraries, and exit");
     app.require_subcommand(1);
     auto* render = app.add_subcommand("render", "Renders a scene: EXR with layers, PNG, report");
     add_render_options(*render, request.render);

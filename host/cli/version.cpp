@@ -11,6 +11,10 @@ std::string version() { return fmt::format("{} ({})", TYNDALL_VERSION, TYNDALL_C
 
 std::string version_number() { return TYNDALL_VERSION; }
 
-std::string version_text() { return fmt::format("tyndall {}\ncompiled with {}\n{}", version(), TYNDALL_COMPILER, TYNDALL_LIBRARIES); }
+std::string version_text(const std::string& loader)
+{
+    const std::string opencl = loader.empty() ? "OpenCL headers " TYNDALL_OPENCL_HEADERS ", the loader does not say its version" : loader;
+    return fmt::format("tyndall {}\ncompiled with {}\n{}\n{}", version(), TYNDALL_COMPILER, opencl, TYNDALL_LIBRARIES);
+}
 
 }  // namespace tyndall

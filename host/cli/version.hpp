@@ -9,7 +9,7 @@ std::string version();
 /// "0.1.0".
 std::string version_number();
 
-/// What `--version` prints: version, commit, compiler and the libraries that it was built with, a line each.
-std::string version_text();
+/// What `--version` prints: version, commit, compiler, the OpenCL loader that the program runs with, which is `loader` ("": it does not say; then the version of the headers, and that), and the libraries that it was built with, a line each.
+std::string version_text(const std::string& loader);
 
 }  // namespace tyndall

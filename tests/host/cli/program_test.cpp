@@ -33,7 +33,18 @@ TEST_F(Program, VersionNamesCommitAndLibraries)
     const auto result = run({"--version"});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_THAT(result.out, testing::ContainsRegex("^tyndall [0-9]+\\.[0-9]+\\.[0-9]+ \\([0-9a-z-]+\\)"));
-    for (const auto* library : {"Embree 3", "OpenCL", "OpenEXR 3", "libpng 1", "CLI11"}) EXPECT_THAT(result.out, HasSubstr(library));
+    for (const auto* library : {"Embree 3", "TBB 20[0-9]+", "OpenEXR 3", "libpng 1", "pugixml 1", "OpenVDB ([0-9]+\\.[0-9]+\\.[0-9]+|not built in)", "fmt [0-9]+", "nlohmann_json 3", "CLI11 2"})
+        EXPECT_THAT(result.out, testing::ContainsRegex("\n" + std::string(library)));
+}
+
+// The loader speaks for itself, without drivers too.
+TEST_F(Program, VersionNamesTheOpenCLLoader)
+{
+    for (const ProcessSetup& setup : {ProcessSetup{}, ProcessSetup{.environment = {{"OCL_ICD_VENDORS", "/nonexistent"}}}}) {
+        const auto result = run({"--version"}, setup);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_THAT(result.out, testing::ContainsRegex("\n([^\n]+ [0-9]+\\.[0-9.]+ \\([^\n]+\\), OpenCL [0-9.]+|OpenCL headers [0-9.]+, the loader does not say its version)\n"));
+    }
 }
 
 TEST_F(Program, RendersIntoThreeFilesNamedAfterTheScene)
